@@ -13,6 +13,7 @@ macro_rules! named {
 
         impl $Enum {
             /// What people read.
+            #[allow(dead_code, reason = "the core alone shows not all of them")]
             pub(crate) fn text(self, lang: $crate::dict::Lang) -> String {
                 let text = match (self, lang) {
                     $(

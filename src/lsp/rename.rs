@@ -1,14 +1,13 @@
 //! Another number for a block, a subprogram or a parameter, everywhere at once, where everywhere is known.
 
-use std::collections::HashMap;
 use std::path::PathBuf;
 
 use gen_lsp_types::{
-    DocumentChange, Edit, OptionalVersionedTextDocumentIdentifier, PrepareRenameParams, PrepareRenamePlaceholder,
-    PrepareRenameResult, RenameParams, TextDocumentEdit, TextDocumentIdentifier, TextEdit, WorkspaceEdit,
+    PrepareRenameParams, PrepareRenamePlaceholder, PrepareRenameResult, RenameParams, TextEdit, WorkspaceEdit,
 };
 
 use super::analysis::Analysis;
+use super::edits::workspace_edit;
 use super::places::{Places, offset};
 use super::snapshot::{Answer, Refusal, Snapshot};
 use super::workspace;
@@ -47,7 +46,10 @@ pub(super) fn rename(snapshot: &Snapshot, analysis: &Analysis, params: RenamePar
     if let Some(edit) = of_macrocycle(snapshot, analysis, &params) {
         return edit.map(Some).map_err(failed);
     }
-    edits(snapshot, analysis, &params).map(|edits| Some(workspace_edit(snapshot, analysis, edits))).map_err(failed)
+    let edits = edits(snapshot, analysis, &params).map_err(failed)?;
+    // Only the document itself changes.
+    let document = analysis.files.buffer(&analysis.path);
+    Ok(document.and_then(|document| workspace_edit(snapshot, &document.uri, None, edits)))
 }
 
 /// Another number for a macrocycle, everywhere in the workspace; `None` when something else is renamed, or the client
@@ -163,22 +165,6 @@ fn renamed(name: Name, digits: &str) -> Option<Name> {
         Name::Macrocycle(_) => digits.parse().ok().map(Name::Macrocycle),
         Name::Parameter(_) => digits.parse().ok().map(Name::Parameter),
     }
-}
-
-/// Only the document itself changes.
-fn workspace_edit(snapshot: &Snapshot, analysis: &Analysis, edits: Vec<TextEdit>) -> WorkspaceEdit {
-    let Some(document) = analysis.files.buffer(&analysis.path) else { return WorkspaceEdit::default() };
-    let uri = document.uri.clone();
-    if snapshot.client.has("/workspace/workspaceEdit/documentChanges") {
-        let text_document = OptionalVersionedTextDocumentIdentifier {
-            version: Some(document.version),
-            text_document_identifier: TextDocumentIdentifier { uri },
-        };
-        let edits = edits.into_iter().map(Edit::TextEdit).collect();
-        let change = DocumentChange::TextDocumentEdit(TextDocumentEdit { text_document, edits });
-        return WorkspaceEdit { document_changes: Some(vec![change]), ..WorkspaceEdit::default() };
-    }
-    WorkspaceEdit { changes: Some(HashMap::from([(uri, edits)])), ..WorkspaceEdit::default() }
 }
 
 #[cfg(test)]

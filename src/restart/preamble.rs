@@ -344,9 +344,15 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
         notes.push(Note::Lathe { axis: axis.to_string() });
     }
     let is_moved = |axis| from.found.unknown.iter().any(|(letter, _)| *letter == axis);
-    let unknown = from.there.unknown.iter().copied().filter(|(axis, _)| !from.approach.reference.contains(axis));
+    let Approach { tool, others, reference, .. } = from.approach;
+    // Other axes move in rapid, and the program never says where the tool's axis is.
+    let is_blind = tool.is_none() && !others.is_empty();
+    let blind = is_blind.then(|| from.settings.machine.tool_axis.unwrap_or(AxisLetter::Z));
+    let blind = blind.filter(|axis| !reference.contains(axis));
+    let unknown =
+        from.there.unknown.iter().copied().filter(|(axis, _)| Some(*axis) != blind && !reference.contains(axis));
     let (unseen, unknown): (Vec<_>, Vec<_>) = unknown.partition(|(_, lack)| *lack == Lack::Unseen);
-    for (axis, lack) in unknown {
+    for (axis, lack) in unknown.into_iter().chain(blind.map(|axis| (axis, Lack::Lost))) {
         let letter = axis.to_string();
         match lack {
             Lack::Fresh if !is_moved(axis) => {}

@@ -445,6 +445,7 @@ impl Sink for &mut Scan {
 
     fn begin(&mut self, program: &Program<'_>) {
         self.text = Text::of(program);
+        self.tracker.begin(program);
     }
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {

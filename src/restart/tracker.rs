@@ -10,7 +10,8 @@ use crate::dict::{
     Address, AxisLetter, CLAMP_GROUP, Decimal, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, OTHER_GROUP,
     SPINDLE_GROUP, SPINDLE_TURNS, TOOL_CHANGE,
 };
-use crate::run::{Executed, State};
+use crate::run::{Executed, Program, State};
+use crate::syntax::Word;
 
 /// What the user wants.
 #[derive(Clone, Copy, Debug)]
@@ -49,6 +50,8 @@ pub(super) struct Tracker {
     tool_axis: Option<usize>,
     /// Whether the project file names it.
     tool_is_named: bool,
+    /// Of the linear axes the program moves X and Y alone: the user brings the tool to its depth.
+    is_flat: bool,
     /// The place in machine order of the linear axis that is parallel to it, and the greatest position of that one.
     parallel: Option<usize>,
     parallel_highest: Option<Micro>,
@@ -96,6 +99,7 @@ impl Tracker {
             tool_letter,
             tool_axis,
             tool_is_named: settings.machine.tool_axis.is_some(),
+            is_flat: false,
             parallel,
             parallel_highest: None,
             before: Before::new(settings),
@@ -115,6 +119,16 @@ impl Tracker {
             apart: Vec::new(),
             conversion: None,
         }
+    }
+
+    /// Looks at the program before it is executed.
+    pub fn begin(&mut self, program: &Program<'_>) {
+        let axes = &program.settings.machine.axes;
+        let flat = [AxisLetter::X, AxisLetter::Y];
+        let deep = |axis: Axis| !axis.rotary && (!flat.contains(&axis.letter) || axis.letter == self.tool_letter);
+        let moves = |word: &Word| axes.index_of(word.address).and_then(|at| axes.get(at)).is_some_and(deep);
+        let mut files = program.resolved.written_files();
+        self.is_flat = !files.any(|file| file.block_ids().any(|block| file.words(block).iter().any(moves)));
     }
 
     /// What is in force.
@@ -286,6 +300,9 @@ impl Tracker {
             }
         }
         let UnknownAxes { lost, from_start, fresh, .. } = target.unknown;
+        // Of a tool's axis that never moves nobody but the user knows.
+        let by_hand = self.is_flat && !self.tool_is_named && self.options.safe.is_none();
+        let fresh = if by_hand { 0 } else { fresh };
         let below = (lost | from_start | fresh) & 1 << tool != 0;
         let approach = self.approach(settings, tool, below)?;
         let place = approach.tool.map(|(_, place)| place);
