@@ -301,8 +301,7 @@ impl Tracker {
         }
         let UnknownAxes { lost, from_start, fresh, .. } = target.unknown;
         // Of a tool's axis that never moves nobody but the user knows.
-        let by_hand = self.is_flat && !self.tool_is_named && self.options.safe.is_none();
-        let fresh = if by_hand { 0 } else { fresh };
+        let fresh = if self.is_flat && !self.tool_is_named { 0 } else { fresh };
         let below = (lost | from_start | fresh) & 1 << tool != 0;
         let approach = self.approach(settings, tool, below)?;
         let place = approach.tool.map(|(_, place)| place);
