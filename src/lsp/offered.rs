@@ -109,7 +109,7 @@ fn allow(snapshot: &Snapshot, analysis: &Analysis, code: Code) -> Option<Workspa
 /// a second table of that name is an error.
 fn lint_edit(source: &SourceText, code: Code) -> Option<(Span, String)> {
     let level = format!("{} = \"allow\"", code.name());
-    let line_end = if source.text().contains("\r\n") { "\r\n" } else { "\n" };
+    let line_end = source.line_end();
     let mut table = "";
     let mut header = None;
     for line in 0..source.lines().count() {

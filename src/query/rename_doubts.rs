@@ -11,6 +11,7 @@ use crate::resolve::{Roles, Taker, UnitId, UnitKind, control_word, l_number};
 use crate::session::Session;
 use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
+use crate::text::Span;
 
 /// The parameters of control words (PAR-7).
 const CONTROL: std::ops::RangeInclusive<u8> = 5..=8;
@@ -173,10 +174,13 @@ impl Doubts<'_> {
         let what = number.to_string();
         self.unread_use(what.clone(), |text| has_number(text, number)).or_else(|| {
             let file = self.document()?;
-            let (before, rest) = file.source.text().split_at_checked(file.end as usize)?;
-            let line = |line: &str| has_number(line, number);
-            let behind = rest.split('\n').position(line)?;
-            Some(NavigationText::UnreadUse { what, line: small(before.matches('\n').count() + behind + 1) })
+            let lines = file.source.lines();
+            let behind = |line: usize| {
+                let span = file.source.line_span(line);
+                file.source.slice(Span::new(span.start.max(file.end).min(span.end), span.end))
+            };
+            let line = (lines.line_at(file.end)..lines.count()).find(|line| has_number(behind(*line), number))?;
+            Some(NavigationText::UnreadUse { what, line: small(line + 1) })
         })
     }
 

@@ -3,11 +3,12 @@
 
 use std::collections::BTreeSet;
 
+use super::units::entry_l;
 use super::{Known, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, l_number};
 use crate::config::Machine;
 use crate::diag::{CenterPlace, Diagnostic, Finding, LabelText, Unmodelled, shown};
-use crate::dict::{Address, GCode};
-use crate::syntax::{BlockId, ParsedFile, Word};
+use crate::dict::GCode;
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location};
 
 /// The place of a word's number; the whole word when the number comes from a parameter.
@@ -99,9 +100,7 @@ pub fn subprogram(
     match resolved.subprogram(l) {
         Some(unit) if !from_macrocycle => return Known::Yes(unit),
         None if !from_macrocycle && resolved.nameless_subprogram => return Known::Unknown,
-        None if second_program(resolved, from.file, |file, block| is_entry(file.words(block), l)) => {
-            return Known::Unknown;
-        }
+        None if second_program(resolved, from.file, |file, block| is_entry(file, block, l)) => return Known::Unknown,
         Some(_) | None => {}
     }
     let macrocycle = library.find(l).is_ok() || library.is_of_machine(l);
@@ -136,9 +135,8 @@ fn second_program(resolved: &Resolved, file: FileId, is: impl Fn(&ParsedFile, Bl
 }
 
 /// Whether a block begins subprogram `l`.
-fn is_entry(words: &[Word], l: u32) -> bool {
-    let begins = words.iter().any(|word| word.g_code() == Some(GCode::G79));
-    begins && words.iter().any(|word| word.address == Address::L && l_number(*word) == Some(l))
+fn is_entry(file: &ParsedFile, block: BlockId, l: u32) -> bool {
+    file.flags(block).has(BlockFlags::ENTRY) && entry_l(file, block).and_then(l_number) == Some(l)
 }
 
 /// Whether a block of the unit has that number: a jump was meant, perhaps.

@@ -348,6 +348,7 @@ fn entry_place(parsed: &ParsedFile, block: BlockId) -> Location {
         .map_or_else(|| parsed.n_place(block), |word| parsed.word_place(*word))
 }
 
-fn entry_l(parsed: &ParsedFile, block: BlockId) -> Option<Word> {
+/// The L of a block that begins a subprogram.
+pub(super) fn entry_l(parsed: &ParsedFile, block: BlockId) -> Option<Word> {
     parsed.words(block).iter().copied().find(|word| word.address == Address::L)
 }

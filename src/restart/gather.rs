@@ -174,7 +174,7 @@ impl Sink for &mut Gather {
 
     fn begin(&mut self, program: &Program<'_>) {
         let Some(file) = program.resolved.file(FileId(0)) else { return };
-        self.line_end = if file.source.text().contains("\r\n") { "\r\n" } else { "\n" };
+        self.line_end = file.source.line_end();
         let most = self.most.saturating_sub(self.place);
         [self.preamble, self.flat] = Numbers::of(file).lines(most, self.line_end);
         self.rest = self.block.map(|block| {

@@ -232,6 +232,11 @@ impl SourceText {
         (line, unit.count(self.slice(Span::new(start, offset.max(start)))))
     }
 
+    /// What ends a line that is added: CR LF where the text has one.
+    pub fn line_end(&self) -> &'static str {
+        if self.text().contains("\r\n") { "\r\n" } else { "\n" }
+    }
+
     /// The span of line `line` (from 0), its line end excluded.
     pub fn line_span(&self, line: usize) -> Span {
         let lines = self.lines();

@@ -1,4 +1,4 @@
-//! Which axes stand where nobody knows, and why.
+//! The axes whose positions are not known, and why.
 
 use crate::config::Settings;
 use crate::dict::{AxisLetter, GCode, GGroup, SPINDLE_GROUP};
@@ -59,7 +59,7 @@ impl Axes {
     #[inline]
     pub fn pass(&mut self, block: &Executed<'_>, elsewhere: AxisSet) {
         self.note_moves(block);
-        // By a distance an axis may leave a place that had a reason of its own.
+        // A motion by a distance may take an axis from its reference point.
         if !block.moves_on() || block.g(GGroup::G9) == Some(GCode::G91) {
             self.note(block, elsewhere);
         }
@@ -128,7 +128,7 @@ fn why(block: &Executed<'_>, axis: AxisLetter, cycle: bool, before: Unknown) -> 
     } else if cycle {
         Unknown::Cycle
     } else if motion.is_some_and(|motion| motion.delta(axis).is_some()) {
-        // It stands at its reference point no longer.
+        // It has left its reference point.
         if matches!(before, Unknown::NotProgrammed | Unknown::Reference) { Unknown::Incremental } else { before }
     } else if turned() {
         Unknown::Spindle

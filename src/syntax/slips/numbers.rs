@@ -422,8 +422,9 @@ pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Toke
     let number = sign && whole && digits.iter().any(|digit| *digit != b'0');
     let behind = bytes.get(token.end as usize..).sure();
     let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-    let begins = behind.get(blanks..).sure().iter().take(2).map(u8::to_ascii_uppercase).collect::<Vec<u8>>();
-    let words = matches!(begins.as_slice(), [b'A'..=b'M' | b'P'..=b'Z', b'0'..=b'9' | b'+' | b'-' | b'.' | b'R']);
+    let at = |place: usize| behind.get(blanks + place).map(u8::to_ascii_uppercase);
+    let words = matches!(at(0), Some(b'A'..=b'M' | b'P'..=b'Z'))
+        && matches!(at(1), Some(b'0'..=b'9' | b'+' | b'-' | b'.' | b'R'));
     let whole = |last: &Token| {
         matches!(
             last.kind,

@@ -57,8 +57,9 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
         let word = |diagnosis: Diagnosis, word: Word| diagnosis.with(word, span);
         set_by_statement(around, meant, span).into_iter().fold(Diagnosis::of(next.taken).debris(), word)
     });
+    let address = addressed(text);
     let meant = statement.unwrap_or_else(|| match (words, behind) {
-        _ if let Some(address) = addressed(text) => TextMeant::Addressed { address, text: shown_text.clone() },
+        _ if let Some(address) = address => TextMeant::Addressed { address, text: shown_text.clone() },
         (Some(words), Some(behind)) => {
             let all = shown(around.slice(span.to(behind)).trim_end());
             TextMeant::WithWords { text: shown_text.clone(), words, all }
@@ -66,7 +67,7 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
         _ => TextMeant::Comment { text: shown_text.clone() },
     });
     let found = around.diagnostic(span, Finding::StrayText { text: shown_text, meant });
-    let needed = addressed(text).filter(|address| is_needed(around, address));
+    let needed = address.filter(|address| is_needed(around, *address));
     let diagnosis = needed.into_iter().fold(diagnosis, |diagnosis, word| diagnosis.void(word, span));
     Some(Diagnosis { found: Some(found), ..diagnosis })
 }
@@ -79,8 +80,7 @@ fn addressed(text: &str) -> Option<Address> {
 
 /// Whether a word of the address was probably meant: an axis, or what a function of the block needs: `G71 LX`, `G04 QX`,
 /// `G02 X5 IX`.
-fn is_needed(around: &Around<'_>, address: &Address) -> bool {
-    let address = *address;
+fn is_needed(around: &Around<'_>, address: Address) -> bool {
     let centre = matches!(address, Address::I | Address::J);
     let takes = |code: GCode| {
         address == Address::L && code.takes_l()
