@@ -340,6 +340,9 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
     if written_out > 0 {
         notes.push(Note::WrittenOut { blocks: written_out });
     }
+    if written_out > 0 && from.settings.block_skip {
+        notes.push(Note::Skipped);
+    }
     if let Some(axis) = from.approach.descends().filter(|_| from.approach.lathe) {
         notes.push(Note::Lathe { axis: axis.to_string() });
     }

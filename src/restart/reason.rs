@@ -94,6 +94,9 @@ bilingual! {
         WrittenOut { blocks: u64 }
             "calls and loops written out: {blocks} blocks",
             "rozepsaná volání a smyčky: bloků {blocks}";
+        Skipped
+            "there without the blocks with /, as --block-skip says",
+            "v nich bez bloků s /, podle --block-skip";
         NotRestored { m: String, group: usize }
             "not restored: {m} of group {group} (--all-m)",
             "neobnoveno: {m} skupiny {group} (--all-m)";

@@ -233,6 +233,8 @@ fn the_program_that_starts_there() {
     assert!(all.contains("G00 G90 Z150 \"up to --safe\""), "{all}");
     assert!(all.contains("M25 \"N50\"") && all.contains("M10 \"clamp the workpiece, N70\""), "{all}");
     let czech = written(&["--lang", "cs", "--at-tool", "T5", "--safe", "100"]);
+    let skipping = written(&["--n", "1030", "--pass", "2", "--block-skip"]);
+    assert!(skipping.contains("\"there without the blocks with /, as --block-skip says\""), "{skipping}");
     assert!(czech.starts_with("%872 \"a.nc od N20\"") && czech.contains("platne funkce"), "{czech}");
     let list = place.run(&["restart", "a.nc", "--list", "--param", "R10=15", "--safe", "100"]).ends(0);
     assert!(list.stdout.contains("--seq 1  N20  line 3  pass 1  T5  tool change\n"), "{}", list.stdout);

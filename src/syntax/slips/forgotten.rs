@@ -3,7 +3,7 @@
 use super::numbers::{self, Broken};
 use super::{Around, Diagnosis, write};
 use crate::diag::{Diagnostic, Finding, Fix, NumberMeant, shown};
-use crate::dict::{Address, GCode, GGroup, TOOL_CHANGE};
+use crate::dict::{Address, GCode, GGroup, PROGRAM_ENDS, TOOL_CHANGE};
 use crate::sure::{Sure, small};
 use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, Token};
@@ -162,9 +162,15 @@ pub(super) fn address(around: &Around<'_>) -> Option<Diagnosis> {
     if !split.apart && (split.is_continued() || split.is_function()) {
         return Some(base);
     }
+    // An end of the program, with words behind it, is a block number without its N.
+    let goes_on = || around.tokens.iter().skip(around.at + 2).any(|token| token.kind == Kind::Word);
+    let ends = |address: Address, number: Number| {
+        let end = PROGRAM_ENDS.iter().any(|end| number.value.as_whole() == Some(i64::from(*end)));
+        address == Address::M && end && goes_on()
+    };
     let takes = |address: &Address| {
         let number = Number::parse(split.text.as_bytes());
-        number.is_none_or(|number| around.may_mean(*address, split.loose.start, number))
+        number.is_none_or(|number| around.may_mean(*address, split.loose.start, number) && !ends(*address, number))
     };
     let missing = missing(around, &split).filter(takes);
     let dimensional = split.address.is_dimensional();
