@@ -75,7 +75,7 @@ fn a_folder_is_fixed_with_its_macrocycles() {
 /// diagnostics.md, "Fixes": what is certain is in the list, everything else is left as it is.
 #[test]
 fn only_what_is_certain_is_applied() {
-    let lines: [(&str, &str); 47] = [
+    let lines: [(&str, &str); 53] = [
         // A decimal comma, not where another number may have been meant.
         ("X10,5", "X10.5"),
         ("XO,5", "XO,5"),
@@ -94,6 +94,13 @@ fn only_what_is_certain_is_applied() {
         ("X1O0", "X1O0"),
         ("Xl0", "Xl0"),
         ("RO=5", "R0=5"),
+        // Not where they may be what is left of a comment.
+        ("X5 to", "X5 to"),
+        ("X5 GO", "X5 GO"),
+        ("X5 Al", "X5 Al"),
+        ("to X5", "to X5"),
+        ("\"tam a \"CO X5", "\"tam a \"CO X5"),
+        ("X5 CO\"", "X5 CO\""),
         ("R1O=5", "R1O=5"),
         // A blank behind a sign, none inside a number.
         ("X-  36.12", "X-36.12"),

@@ -96,8 +96,7 @@ impl Broken<'_> {
             Some(number) if joined.contains(',') => return self.with_comma(around, number, &joined, fixed),
             Some(_) if joined.bytes().any(|letter| look_alike(letter).is_some()) => {
                 let alone = pieces.is_empty() && is_all_letters(joined.trim_start_matches(['+', '-']));
-                // N and L are never 0: another digit was meant.
-                let certain = alone && !matches!(address, Address::N | Address::L);
+                let certain = alone && self.is_no_text(around);
                 without = if certain { None } else { self.without_letter(around, &joined) };
                 let shorter = without.clone().unwrap_or_default();
                 let finding = Finding::LetterForDigit { fixed: shown(&fixed), without: shorter };
@@ -139,6 +138,25 @@ impl Broken<'_> {
             found = found.with_offer(write(&without), around.place(span), without);
         }
         (number.filter(|_| certain.is_some()), Some(found))
+    }
+
+    /// Whether an address and letters, `XO`, are no word of a comment that lost a quote: `to`, `CO`, `Al`.
+    fn is_no_text(&self, around: &Around<'_>) -> bool {
+        let lower = around.slice(self.span).bytes().any(|letter| letter.is_ascii_lowercase() && letter != b'l');
+        match self.address {
+            Address::X | Address::Y | Address::Z | Address::R => true,
+            Address::I | Address::J | Address::K => !lower,
+            // They are never 0: another digit was meant.
+            Address::N | Address::L => false,
+            _ => {
+                let axis = |token: &Token| matches!(around.byte(token.start), b'X'..=b'Z');
+                let words = around.tokens.get(around.at + 1).is_some_and(|next| {
+                    next.kind == Kind::Word || next.kind == Kind::Junk(Shape::LooseWord) && axis(next)
+                });
+                let comment = around.previous().is_some_and(|before| before.kind == Kind::Comment);
+                words && !lower && !comment
+            }
+        }
     }
 
     /// The word without its only letter, when its address takes that.
