@@ -1,6 +1,6 @@
 //! A number behind a word and a blank: its address was forgotten or follows it, or a blank is inside a number (LEX-3).
 
-use super::numbers::{self, Broken};
+use super::numbers::{self, Broken, CORRECTION_DIGITS};
 use super::{Around, Diagnosis, write};
 use crate::diag::{Diagnostic, Finding, Fix, NumberMeant, shown};
 use crate::dict::{Address, GCode, GGroup, PROGRAM_ENDS, TOOL_CHANGE};
@@ -12,8 +12,6 @@ use crate::text::Span;
 
 /// So many bytes before a block, and from it on, show which axes the program uses.
 const NEAR: usize = 1 << 12;
-/// `&0010`
-const CORRECTION_DIGITS: usize = 4;
 
 /// A word in two pieces.
 struct Split<'t> {

@@ -19,13 +19,11 @@ pub(super) use numbers::lost_number;
 pub use swallowed::swallowed_words;
 pub(super) use texts::statement_end;
 
-use std::ops::RangeInclusive;
-
 use super::number::Number;
 use super::tokens::{Kind, Shape, Token};
 use super::{Word, grammar};
 use crate::diag::{Diagnostic, Finding, FixTitle, Meant, NumberMeant, shown};
-use crate::dict::{Address, Dialect, GCode, ValueForm};
+use crate::dict::{Address, Dialect, GCode};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, Span};
 
@@ -361,19 +359,11 @@ impl<'t> Around<'t> {
     /// Whether the word at a place may have meant that number: its address takes it; there is such a G function, and the
     /// others of the block leave room for it.
     fn may_mean(&self, address: Address, at: u32, number: Number) -> bool {
-        let range = match address.row().form {
-            ValueForm::Whole { min, max } => Some(min..=max),
-            ValueForm::Technological => Some(0..=i64::from(Dialect::HIGHEST_M)),
-            ValueForm::None
-            | ValueForm::CorrectionDigits
-            | ValueForm::Dimension
-            | ValueForm::Feed
-            | ValueForm::Auxiliary
-            | ValueForm::Parameter => None,
-        };
-        let is_out = |range: RangeInclusive<i64>| !number.value.as_whole().is_some_and(|whole| range.contains(&whole));
+        let mut ranges = Dialect::ALL.iter().flat_map(|dialect| address.ranges(*dialect)).flatten().peekable();
+        let in_range = ranges.peek().is_none() || ranges.any(|range| range.contains(number.value));
+        let whole_parameter = address == Address::R && number.value.fits_parameter();
         let point = number.point && !address.row().form.takes_point(Dialect::Cnc872);
-        if point || range.is_some_and(is_out) {
+        if point || !in_range && !whole_parameter {
             return false;
         }
         let code = number.value.as_whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number);

@@ -10,6 +10,9 @@ use crate::syntax::tokens::{Kind, Shape, Token};
 use crate::syntax::{Word, grammar};
 use crate::text::Span;
 
+/// `&0010`
+pub(super) const CORRECTION_DIGITS: usize = 4;
+
 /// `X--R1`.
 pub(super) fn many_signs(around: &Around<'_>) -> Option<Diagnosis> {
     let mut next = around.cursor();
@@ -120,7 +123,9 @@ impl Broken<'_> {
             }
         };
         // What its address does not take, or what another function of the block excludes, was not meant.
-        let fits = certain.is_some() || number.is_none_or(|number| around.may_mean(address, span.start, number));
+        let digits = address != Address::Correction || joined.len() == CORRECTION_DIGITS;
+        let fits = number.is_none_or(|number| digits && around.may_mean(address, span.start, number));
+        let fits = certain.is_some() || fits;
         let finding = if fits {
             finding
         } else if let Finding::LetterForDigit { without, .. } = finding {
@@ -143,20 +148,15 @@ impl Broken<'_> {
     /// Whether an address and letters, `XO`, are no word of a comment that lost a quote: `to`, `CO`, `Al`.
     fn is_no_text(&self, around: &Around<'_>) -> bool {
         let lower = around.slice(self.span).bytes().any(|letter| letter.is_ascii_lowercase() && letter != b'l');
-        match self.address {
-            Address::X | Address::Y | Address::Z | Address::R => true,
-            Address::I | Address::J | Address::K => !lower,
-            // They are never 0: another digit was meant.
-            Address::N | Address::L => false,
-            _ => {
-                let axis = |token: &Token| matches!(around.byte(token.start), b'X'..=b'Z');
-                let words = around.tokens.get(around.at + 1).is_some_and(|next| {
-                    next.kind == Kind::Word || next.kind == Kind::Junk(Shape::LooseWord) && axis(next)
-                });
-                let comment = around.previous().is_some_and(|before| before.kind == Kind::Comment);
-                words && !lower && !comment
-            }
-        }
+        let axis = |token: &Token| matches!(around.byte(token.start), b'X'..=b'Z');
+        let word = |next: &Token| next.kind == Kind::Word || next.kind == Kind::Junk(Shape::LooseWord) && axis(next);
+        let words = || around.tokens.get(around.at + 1).is_some_and(word);
+        let comment = || around.previous().is_some_and(|before| before.kind == Kind::Comment);
+        let alone = matches!(self.address, Address::X | Address::Y | Address::Z | Address::R);
+        let center = matches!(self.address, Address::I | Address::J | Address::K);
+        // N and L are never 0: another digit was meant.
+        let never = matches!(self.address, Address::N | Address::L);
+        !never && (alone || !lower && (center || words() && !comment()))
     }
 
     /// The word without its only letter, when its address takes that.
