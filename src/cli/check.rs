@@ -26,7 +26,7 @@ pub(super) fn run(args: &CheckArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
     threads::prepare();
     let loader = DiskLoader::new(args.paths.iter().map(PathBuf::as_path));
-    let origins = Origins { named: args.common.config.as_deref(), overrides: &overrides, loader: &loader };
+    let origins = Origins { overrides: &overrides, loader: &loader };
     let mut projects = Projects::default();
     let found = targets(&args.paths, &mut |folder| projects.extensions(folder, origins));
     tell_unsearched(&found, locale);

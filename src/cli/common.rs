@@ -22,6 +22,7 @@ use crate::text::{Loader, Sources};
 /// Mistakes in `--param`, `-D`, `-W` or `-A`.
 pub(super) fn overrides(args: &CommonArgs, lang: Lang) -> Result<Overrides, Failure> {
     Ok(Overrides {
+        project: args.config.clone(),
         dialect: args.dialect,
         channel_config: args.channel_config.clone(),
         macrocycles: args.macrocycles.clone(),
@@ -72,8 +73,6 @@ struct Configured {
 /// Where settings come from.
 #[derive(Clone, Copy)]
 pub(super) struct Origins<'a> {
-    /// The project file that the user named.
-    pub named: Option<&'a Path>,
     /// The options of the command line.
     pub overrides: &'a Overrides,
     pub loader: &'a dyn Loader,
@@ -120,7 +119,7 @@ impl Projects {
         if let Some(&index) = self.by_folder.get(folder) {
             return index;
         }
-        let file = origins.named.map(Path::to_path_buf).or_else(|| find_project(folder, origins.loader));
+        let file = origins.overrides.project.clone().or_else(|| find_project(folder, origins.loader));
         let index = self.load(file, origins);
         self.by_folder.insert(folder.to_path_buf(), index);
         index

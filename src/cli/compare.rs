@@ -65,7 +65,8 @@ pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure>
         let compared = for_page(&old, &new, &changes);
         let draw_old = || draw(&old_read, &old, None);
         let (old_data, data) = crate::parallel::join(draw_old, || draw(&new_read, &new, Some(compared)));
-        let page = page(&data?, Some(&old_data?), &path_name(&args.new), locale.chosen);
+        let name = Naming { program: &args.new, loader: &new_read.job.loader }.program();
+        let page = page(&data?, Some(&old_data?), &name, locale.chosen);
         let output = Some(output.as_path()).filter(|output| !is_stdin(output));
         let mut stream = Stream::open(output, locale.lang)?;
         let written = stream.write_all(page.as_bytes()).and_then(|()| stream.flush()).and_then(|()| stream.keep());
@@ -128,7 +129,7 @@ fn folders(args: &CompareArgs, locale: Locale) -> Result<Status, Failure> {
     threads::prepare();
     let shown = FindingsArgs { format: Format::Human, all: args.all };
     let tolerances = Tolerances { position: Micro::from_f64(args.tolerance), percent: args.feed_tolerance };
-    let (old, new) = (programs(&args.old, args, &overrides), programs(&args.new, args, &overrides));
+    let (old, new) = (programs(&args.old, &overrides), programs(&args.new, &overrides));
     let names: BTreeSet<&PathBuf> = old.iter().chain(&new).collect();
     if names.is_empty() {
         return Err(Words::NoPrograms { folder: args.new.display().to_string() }.into());
@@ -173,9 +174,9 @@ fn judge(old: Option<(Side, Steps)>, new: Option<(Side, Steps)>, tolerances: Tol
 }
 
 /// The programs of a folder, by their paths in it; macrocycles are executed with the programs that call them.
-fn programs(folder: &Path, args: &CompareArgs, overrides: &Overrides) -> BTreeSet<PathBuf> {
+fn programs(folder: &Path, overrides: &Overrides) -> BTreeSet<PathBuf> {
     let loader = DiskLoader::new([]);
-    let origins = Origins { named: args.common.config.as_deref(), overrides, loader: &loader };
+    let origins = Origins { overrides, loader: &loader };
     let mut projects = Projects::default();
     let found = targets(&[folder.to_path_buf()], &mut |folder| projects.extensions(folder, origins));
     let inside = |path: PathBuf| path.strip_prefix(folder).map(Path::to_path_buf).unwrap_or(path);
@@ -186,7 +187,7 @@ fn programs(folder: &Path, args: &CompareArgs, overrides: &Overrides) -> BTreeSe
 /// Executes one of the programs.
 fn read(file: &Path, args: &CompareArgs, overrides: &Overrides) -> Result<Read, Failure> {
     let job = Job::new(file.to_path_buf(), args.output.clone()).refusing(|file| Words::PageIsProgram { file });
-    let mut projects = job.configure(&args.common, overrides)?;
+    let mut projects = job.configure(overrides)?;
     let mut report = projects.report();
     let mut found = None;
     if let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) {

@@ -29,7 +29,7 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let overrides = overrides(&args.common, locale.lang)?;
     threads::prepare();
     let job = Job::new(args.file.clone(), args.output.clone());
-    let mut projects = job.configure(&args.common, &overrides)?;
+    let mut projects = job.configure(&overrides)?;
     let report = projects.report();
     let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
         return Ok(unusable(report, &args.shown(), locale));

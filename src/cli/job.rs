@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::args::{CommonArgs, FindingsArgs};
+use super::args::FindingsArgs;
 use super::common::{Origins, Projects, is_input, print_beside};
 use super::compile::{Stream, cannot_write};
 use super::locale::Locale;
@@ -72,11 +72,10 @@ impl Job {
     }
 
     /// The configuration of the program.
-    pub fn configure(&self, common: &CommonArgs, overrides: &Overrides) -> Result<Projects, Failure> {
+    pub fn configure(&self, overrides: &Overrides) -> Result<Projects, Failure> {
         self.refuse_input()?;
         let mut projects = Projects::default();
-        let named = common.config.as_deref();
-        projects.configure(&self.targets, Origins { named, overrides, loader: &self.loader })?;
+        projects.configure(&self.targets, Origins { overrides, loader: &self.loader })?;
         self.refuse_input()?;
         Ok(projects)
     }

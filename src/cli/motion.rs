@@ -39,7 +39,7 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
     threads::prepare();
     let shown = FindingsArgs { format: Format::Human, all: args.all };
     let job = Job::new(args.file.clone(), args.output.clone());
-    let mut projects = job.configure(&args.common, &overrides)?;
+    let mut projects = job.configure(&overrides)?;
     let report = projects.report();
     if let Some(settings) = projects.settings(job.target()) {
         check_tried(&overrides.motion, settings.machine.dialect)?;
@@ -47,7 +47,7 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
     let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
         return Ok(unusable(report, &shown, locale));
     };
-    let before = if args.set.is_empty() { Projects::default() } else { job.configure(&args.common, &configured)? };
+    let before = if args.set.is_empty() { Projects::default() } else { job.configure(&configured)? };
     // Mistakes in the project file alone are found with the other values as well.
     let before = before.settings(job.target());
     #[cfg(feature = "arrow")]

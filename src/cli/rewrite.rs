@@ -134,7 +134,7 @@ pub(super) fn run(
     let overrides = overrides(common, locale.lang)?;
     threads::prepare();
     let loader = DiskLoader::new(paths.iter().map(PathBuf::as_path));
-    let origins = Origins { named: common.config.as_deref(), overrides: &overrides, loader: &loader };
+    let origins = Origins { overrides: &overrides, loader: &loader };
     let mut projects = Projects::default();
     let found = targets(paths, &mut |folder| projects.extensions(folder, origins));
     tell_unsearched(&found, locale);

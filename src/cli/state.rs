@@ -22,7 +22,7 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
     threads::prepare();
     let shown = FindingsArgs { format: Format::Human, all: args.all };
     let job = Job::new(args.file.clone(), None);
-    let mut projects = job.configure(&args.common, &overrides)?;
+    let mut projects = job.configure(&overrides)?;
     let mut report = projects.report();
     let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
         return Ok(unusable(report, &shown, locale));

@@ -38,7 +38,7 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
         super::compile::refuse_terminal(output)?;
     }
     let loader = DiskLoader::new(args.paths.iter().map(PathBuf::as_path));
-    let origins = Origins { named: args.common.config.as_deref(), overrides: &overrides, loader: &loader };
+    let origins = Origins { overrides: &overrides, loader: &loader };
     let mut projects = Projects::default();
     let found = targets(&args.paths, &mut |folder| projects.extensions(folder, origins));
     tell_unsearched(&found, locale);

@@ -32,7 +32,7 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     check_usage(args, form, output.is_some())?;
     let job = Job::new(args.file.clone(), output).refusing(|file| Words::PictureIsProgram { file });
     let output = job.output();
-    let mut projects = job.configure(&args.common, &overrides)?;
+    let mut projects = job.configure(&overrides)?;
     let mut report = projects.report();
     let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
         return Ok(unusable(report, &args.shown, locale));

@@ -34,6 +34,7 @@ pub fn configure(
     }
     let folder = project.and_then(Path::parent).unwrap_or(Path::new(""));
     files.macrocycles(&mut draft, folder, overrides);
+    draft.settings.arguments = overrides.arguments();
     override_settings(&mut draft.settings, overrides);
     files.findings.set_levels(draft.settings.levels(Purpose::Check));
     if !draft.axes.is_empty() {

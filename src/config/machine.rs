@@ -312,6 +312,9 @@ pub struct Settings {
     pub lints: BTreeMap<Code, Level>,
     /// How programs are laid out.
     pub format: Style,
+    /// What was given besides the project file and is executed by, as arguments of the command line: a page says how to
+    /// start where it shows. Files and folders by their names alone.
+    pub arguments: Vec<String>,
 }
 
 impl Settings {
@@ -326,6 +329,7 @@ impl Settings {
             extensions: EXTENSIONS.iter().map(|&extension| extension.to_owned()).collect(),
             lints: BTreeMap::new(),
             format: Style::default(),
+            arguments: Vec::new(),
         }
     }
 

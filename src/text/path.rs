@@ -16,6 +16,11 @@ pub fn path_name(path: &Path) -> String {
     name
 }
 
+/// The last part of a path as text; all of one that has none.
+pub fn last_name(path: &Path) -> String {
+    path_name(path.file_name().map_or(path, Path::new))
+}
+
 /// Whether the path leads back somewhere: `q/../m`.
 pub fn has_way_back(path: &Path) -> bool {
     path.components().any(|part| part == Component::ParentDir)

@@ -41,6 +41,8 @@ pub struct Collector {
     too_large: bool,
     /// Whether nothing of the machine's motion is configured.
     assumed: bool,
+    /// What a command needs to execute the program so.
+    arguments: Vec<String>,
     machine: Value,
     program: Map<String, Value>,
     whole: bool,
@@ -55,6 +57,7 @@ pub struct View {
     size: Size,
     /// Whether nothing of the machine's motion is configured.
     assumed: bool,
+    arguments: Vec<String>,
     machine: Value,
     program: Map<String, Value>,
     /// The names of its files on the page.
@@ -88,6 +91,7 @@ impl Collector {
             most: usize::MAX,
             too_large: false,
             assumed: !settings.machine.motion.configured,
+            arguments: settings.arguments.clone(),
             machine: machine_of(settings),
             program: program(settings),
             whole: false,
@@ -121,7 +125,8 @@ impl Collector {
 
     /// The result of the run: the text of the program, which may not have been executed, and how many blocks were.
     pub fn finish(self, text: Option<&Arc<SourceText>>, naming: Naming<'_>, executed: u64) -> View {
-        let Self { mut rows, planned, equidistant, mut size, assumed, machine, mut program, whole, .. } = self;
+        let Self { mut rows, planned, equidistant, mut size, assumed, arguments, machine, mut program, whole, .. } =
+            self;
         size.end();
         // A program that cannot be executed is shown all the same.
         if let Some(source) = text.filter(|_| rows.files.is_empty()) {
@@ -132,7 +137,7 @@ impl Collector {
         planner.finish(&mut times);
         program.insert("name".to_owned(), json!(naming.program()));
         let names = rows.files.iter().map(|file| naming.of(file.source.name())).collect();
-        View { rows, times, equidistant, size, assumed, machine, program, names, blocks: executed, whole }
+        View { rows, times, equidistant, size, assumed, arguments, machine, program, names, blocks: executed, whole }
     }
 }
 
@@ -168,6 +173,7 @@ impl View {
             equidistant: self.equidistant_json(),
             size: [&self.size.working, &self.size.all].map(size_json),
             compared,
+            arguments: &self.arguments,
         };
         pack(&self.rows, &self.times, about)
     }

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::diag::Finding;
-use crate::text::{Loader, path_name};
+use crate::text::{Loader, last_name, path_name};
 
 /// Names files by their places in the folder of the program.
 #[derive(Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct Naming<'a> {
 impl Naming<'_> {
     /// The program's own name.
     pub fn program(&self) -> String {
-        last(self.program)
+        last_name(self.program)
     }
 
     /// The name of another file: its path from the program's folder, with slashes; of a file elsewhere its last part
@@ -29,7 +29,7 @@ impl Naming<'_> {
             return self.program();
         }
         let inside = self.canonical(path).strip_prefix(self.folder()).ok().map(joined);
-        inside.filter(|name| !name.is_empty()).unwrap_or_else(|| last(path))
+        inside.filter(|name| !name.is_empty()).unwrap_or_else(|| last_name(path))
     }
 
     /// A finding whose words name no folders either.
@@ -53,10 +53,6 @@ impl Naming<'_> {
     fn canonical(&self, path: &Path) -> PathBuf {
         self.loader.canonical(if path.as_os_str().is_empty() { Path::new(".") } else { path })
     }
-}
-
-fn last(path: &Path) -> String {
-    path.file_name().map_or_else(|| path_name(path), |name| path_name(Path::new(name)))
 }
 
 fn joined(path: &Path) -> String {

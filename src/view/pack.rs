@@ -30,6 +30,8 @@ pub(super) struct About<'v> {
     pub size: [Value; 2],
     /// What another program does differently.
     pub compared: Option<Value>,
+    /// What a command needs to execute the program so.
+    pub arguments: &'v [String],
 }
 
 /// Packs rows and texts.
@@ -99,6 +101,9 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     put("size", json!({ "working": working, "all": all }));
     if let Some(equidistant) = about.equidistant {
         put("equidistant", equidistant);
+    }
+    if !about.arguments.is_empty() {
+        put("arguments", json!(about.arguments));
     }
     if let Some(compared) = about.compared {
         header.insert("compared".to_owned(), compared);

@@ -132,6 +132,21 @@ fn a_page_holds_no_folders_of_its_author() {
     assert!(!header.to_string().contains("someone"));
     assert!(pages.iter().all(|page| *page == pages[0]));
     assert!(String::from_utf8_lossy(&pages[0]).contains("<title>part.nc</title>"));
+    // Nor do a comparison, and the options with which a command starts where the page shows.
+    let [old, new, out] = ["part.nc", "part.nc", "page.html"].map(|name| place.path("home/someone/shop").join(name));
+    let (others, config) = (place.path("home/someone/others"), place.path("home/someone/shop/cnc872c.toml"));
+    let given =
+        ["-L", others.to_str().unwrap(), "-L", "home/someone/shop/macros", "--config", config.to_str().unwrap()];
+    let given = [&given[..], &["--param", "R1=-2.5", "--block-skip", "--dialect", "cnc872"]].concat();
+    let files = [old.to_str().unwrap(), new.to_str().unwrap(), "-o", out.to_str().unwrap()];
+    place.run(&[&["compare"], &files[..], &given].concat()).ends(0);
+    let page = std::fs::read(out).unwrap();
+    assert!(!String::from_utf8_lossy(&page).contains("someone"));
+    let header = self::header(&page);
+    assert!(!header.to_string().contains("someone"), "{header}");
+    assert_eq!(header["compared"]["old"]["name"], "part.nc");
+    let arguments = "--dialect cnc872 --config cnc872c.toml -L others -L macros --param R1=-2.5 --block-skip";
+    assert_eq!(header["arguments"], serde_json::json!(arguments.split(' ').collect::<Vec<_>>()));
     // Words of findings name files too.
     place.put("home/someone/shop/macros/L9001", "N1 G79 L9003\nN2 G70\n");
     let mut command = place.command(&["view", place.path("home/someone/shop/part.nc").to_str().unwrap()]);

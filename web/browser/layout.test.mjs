@@ -268,7 +268,7 @@ test('what holds at a block: who wrote it, what comes next, how to start there',
     'N50 G0 X0',
     'N60 M30',
   );
-  const { tab, wrong, close } = await open(browser, page(file));
+  const { tab, wrong, close } = await open(browser, page(file, '--block-skip', '--param', 'R7=1'));
   await tab.evaluate(() => window.cnc872c.select(2));
   await drawn(tab);
   const state = await tab.evaluate(() => document.querySelector('.state').innerText);
@@ -281,7 +281,7 @@ test('what holds at a block: who wrote it, what comes next, how to start there',
   );
   assert.equal(writer, 'written by N20');
   await tab.click('.restart button');
-  const command = 'cnc872c restart state.nc --seq 2';
+  const command = 'cnc872c restart state.nc --seq 2 --param R7=1 --block-skip';
   assert.equal(await tab.evaluate(() => document.querySelector('.command code').textContent), command);
   // Copied where there is a clipboard, else selected.
   const copy = async (clipboard) => {

@@ -1,5 +1,7 @@
 //! The changes as JSON `cnc872c.compare/1`, and its schema.
 
+use std::path::Path;
+
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value as Json, json};
@@ -9,6 +11,7 @@ use super::steps::Value;
 use super::text::{head, line};
 use crate::analysis::{Number, document_schema};
 use crate::dict::{Lang, Micro};
+use crate::text::last_name;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.compare/1";
@@ -29,6 +32,13 @@ pub struct Side {
     pub time_s: Option<f64>,
     /// It was executed to its end, without errors.
     pub whole: bool,
+}
+
+impl Side {
+    /// The same by the name of its file alone: a page holds no folder of the computer that made it.
+    fn without_folder(&self) -> Self {
+        Self { name: last_name(Path::new(&self.name)), ..self.clone() }
+    }
 }
 
 /// Two programs compared.
@@ -139,6 +149,7 @@ fn record(old: &Side, new: &Side, changes: &[Change]) -> Record {
 pub fn for_page(old: &Side, new: &Side, changes: &[Change]) -> Json {
     let (listed, rest) = changes.split_at(changes.len().min(LISTED));
     let in_both = |text: &dyn Fn(Lang) -> Json| json!({ "en": text(Lang::En), "cs": text(Lang::Cs) });
+    let (old, new) = (&old.without_folder(), &new.without_folder());
     let Json::Object(mut page) = json!(record(old, new, listed)) else { return Json::Null };
     let mut put = |name: &str, value: Json| drop(page.insert(name.to_owned(), value));
     put("same", json!(changes.is_empty()));

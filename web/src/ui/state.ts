@@ -2,6 +2,7 @@
 
 import type { App } from '../app.ts';
 import type { Fields } from '../data/header.ts';
+import { quoted } from '../data/shell.ts';
 import { type Key, named, t } from '../i18n.ts';
 import { clock, h, idle, local, rebuild, shown } from './dom.ts';
 
@@ -321,11 +322,14 @@ export class State {
     return this.#section('ahead', h('dl', {}, ...items));
   }
 
-  /** The command that writes a program which starts here. */
-  #restart(record: Fields): HTMLElement {
-    const name = this.#app.header.program.name;
-    const quoted = /^[\w./+-]+$/.test(name) ? name : `"${name}"`;
-    const command = `cnc872c restart ${quoted} --seq ${String(record['seq'])}`;
+  /** The command that writes a program which starts here. Standard input can be read only once. */
+  #restart(record: Fields): HTMLElement | null {
+    const { program, arguments: given = [] } = this.#app.header;
+    if (program.name === '-') {
+      return null;
+    }
+    const file = program.name.startsWith('-') ? `./${program.name}` : program.name;
+    const command = ['cnc872c', 'restart', file, '--seq', String(record['seq']), ...given].map(quoted).join(' ');
     const code = h('code', {}, command);
     const copied = h('span', { role: 'status' });
     // A page from a file may have no clipboard: then the command is selected.
