@@ -415,6 +415,7 @@ fn the_command_line_wins() {
     let text = "dialect = 'cnc8x6'\nencoding = 'cp852'\nblock-skip = true\nmacrocycles = ['a']\n[parameters]\nR1 = 1\n\
                 R2 = 2\n[limits]\nrecords = 5\n[lints]\nempty-block = 'allow'\nunused-repeat = 'deny'\n";
     let overrides = Overrides {
+        project: None,
         computes_motion: false,
         motion: Vec::new(),
         dialect: Some(Dialect::Cnc872),
