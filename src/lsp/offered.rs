@@ -106,8 +106,9 @@ fn allow(snapshot: &Snapshot, analysis: &Analysis, code: Code) -> Option<Workspa
 }
 
 /// The place in a project file for the level, and its text; none where the levels are an inline table or dotted keys:
-/// a second table of that name is an error.
+/// a second table of that name is an error. None in a file that is no TOML, which says nothing.
 fn lint_edit(source: &SourceText, code: Code) -> Option<(Span, String)> {
+    source.text().parse::<toml_edit::DocumentMut>().ok()?;
     let level = format!("{} = \"allow\"", code.name());
     let line_end = source.line_end();
     let mut table = "";
@@ -126,7 +127,8 @@ fn lint_edit(source: &SourceText, code: Code) -> Option<(Span, String)> {
                 return None;
             }
             if table == "lints" && Code::find(first) == Some(code) {
-                return Some((span, level));
+                let comment = text.find('#').and_then(|at| text.get(at..)).map(|comment| format!(" {comment}"));
+                return Some((span, level + &comment.unwrap_or_default()));
             }
         }
     }
@@ -184,6 +186,8 @@ mod tests {
         assert_eq!(of(""), some("[lints]\nempty-block = \"allow\"\n"));
         assert_eq!(of("[lints]\n[limits]\n"), some("[lints]\nempty-block = \"allow\"\n[limits]\n"));
         assert_eq!(of("[lints]\nW0214 = \"deny\"\n"), some("[lints]\nempty-block = \"allow\"\n"));
+        assert_eq!(of("[lints]\r\nW0214 = 'warn' # x\r\n"), some("[lints]\r\nempty-block = \"allow\" # x\r\n"));
+        assert_eq!(of("R1 = 2\n[broken\n"), None);
         assert_eq!(of("[\"lints\"]\n'W0214' = \"deny\"\n"), some("[\"lints\"]\nempty-block = \"allow\"\n"));
         for written in ["lints = { W0601 = \"warn\" }\n", "lints.W0601 = \"warn\"\n", "\"lints\" . W0601 = \"warn\"\n"]
         {
