@@ -24,6 +24,10 @@ use crate::text::{FileId, Loader, Overlay, Sources};
 /// The program among the files of its run.
 const PROGRAM: FileId = FileId(0);
 
+/// So many findings of a code are kept in a round, some hundreds of bytes each: fixes come by hundred thousands where a
+/// postprocessor writes decimal commas.
+const AT_ONCE: usize = 1 << 17;
+
 /// Fixes that overlap, and findings beyond those kept, need more rounds; a fix that calls for another for ever is a
 /// mistake of ours that ends here.
 const MOST_ROUNDS: usize = 200;
@@ -208,6 +212,7 @@ impl Default for Attempt {
 /// Fixes a program in memory, round by round until no fix is left; `None` when it has no settings, or a problem.
 fn attempt(target: &Target, projects: &Projects, disk: &DiskLoader) -> Option<Attempt> {
     let settings = projects.settings(target).filter(|_| target.problem.is_none())?;
+    let settings = &Settings { findings: AT_ONCE, ..settings.clone() };
     let before = match disk.read(&target.path) {
         Ok(before) => before,
         Err(error) => return Some(Attempt { unreadable: Some(error), ..Attempt::default() }),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use super::{ArcCenters, G97, MFunctions, Motion, SpindleAxis, Style};
-use crate::diag::{Code, Levels, Severity};
+use crate::diag::{Code, LIMIT_PER_CODE, Levels, Severity};
 use crate::dict::{
     Address, AxisLetter, Decimal, Dialect, FeedMode, FeedRow, GCode, GGroup, HIGHEST_S, M_GROUPS, Operation,
 };
@@ -312,6 +312,8 @@ pub struct Settings {
     pub lints: BTreeMap<Code, Level>,
     /// How programs are laid out.
     pub format: Style,
+    /// How many findings of each code are kept for each file.
+    pub findings: usize,
     /// What was given besides the project file and is executed by, as arguments of the command line: a page says how to
     /// start where it shows. Files and folders by their names alone.
     pub arguments: Vec<String>,
@@ -329,6 +331,7 @@ impl Settings {
             extensions: EXTENSIONS.iter().map(|&extension| extension.to_owned()).collect(),
             lints: BTreeMap::new(),
             format: Style::default(),
+            findings: LIMIT_PER_CODE,
             arguments: Vec::new(),
         }
     }
@@ -370,7 +373,7 @@ impl Settings {
 
     /// The severities of all codes in a run for that purpose.
     pub fn levels(&self, purpose: Purpose) -> Levels {
-        Levels::new(|code| self.severity_for(code, purpose))
+        Levels::new(|code| self.severity_for(code, purpose)).keeping(self.findings)
     }
 }
 

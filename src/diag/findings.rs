@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, HashSet};
 use super::{Code, Diagnostic, Finding, Fix, Levels, Severity, Unmodelled};
 use crate::text::{FileId, LineIndex, Location};
 
-/// How many findings of each code are kept for each file; the rest is counted.
+/// How many findings of each code are kept for each file, unless [`Levels::keeping`] says otherwise; the rest is
+/// counted.
 pub const LIMIT_PER_CODE: usize = 10_000;
 
 /// Collects findings at the levels of the run: each code once at a place, a bounded number of each code and file, the
@@ -62,7 +63,7 @@ impl Findings {
         }
         let key = (code, diagnostic.at, diagnostic.which());
         let count = self.counts.entry((diagnostic.at.file, code)).or_default();
-        if count.kept < LIMIT_PER_CODE {
+        if count.kept < self.levels.kept() {
             if self.seen.insert(key) {
                 count.kept += 1;
                 self.items.push(diagnostic);

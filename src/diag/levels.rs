@@ -1,22 +1,34 @@
 //! The severity that each code has in a run.
 
-use super::{Code, Severity};
+use super::{Code, LIMIT_PER_CODE, Severity};
 
 /// What each code is in this run: an error, a warning, or allowed. Findings carry it from the moment they are added, so
 /// that limits, counts, the exit status and the stream all see the same severity.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Levels {
     of: [Option<Severity>; Code::ALL.len()],
+    kept: usize,
 }
 
 impl Levels {
     /// Each code with what `severity` gives for it; `None` allows it.
     pub fn new(severity: impl Fn(Code) -> Option<Severity>) -> Self {
-        let mut levels = Self { of: [None; Code::ALL.len()] };
+        let mut levels = Self { of: [None; Code::ALL.len()], kept: LIMIT_PER_CODE };
         for (slot, code) in levels.of.iter_mut().zip(Code::ALL) {
             *slot = severity(*code);
         }
         levels
+    }
+
+    /// The same, with so many findings of each code kept for each file.
+    #[must_use]
+    pub const fn keeping(self, kept: usize) -> Self {
+        Self { kept, ..self }
+    }
+
+    /// How many findings of each code are kept for each file.
+    pub const fn kept(&self) -> usize {
+        self.kept
     }
 
     /// The severity of a code in this run; `None` when it is allowed.
