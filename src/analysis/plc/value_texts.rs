@@ -126,6 +126,14 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
             "`linear-mm-s2` platné sady dynamiky, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, \
              při G00 nebo G23; jinak bez hodnoty",
         ),
+        Cell::Stretch => (
+            "With [motion]: 1 in a stretch of two blocks or more, else 0; without it no value",
+            "S [motion]: 1 v úseku dvou nebo více bloků, jinak 0; bez [motion] bez hodnoty",
+        ),
+        Cell::TimeDist => (
+            "With [motion]: whole milliseconds in a stretch of two blocks or more; else no value",
+            "S [motion]: celé milisekundy v úseku dvou nebo více bloků; jinak bez hodnoty",
+        ),
         Cell::Group(_)
         | Cell::Mark(_)
         | Cell::Moves(_)
@@ -140,9 +148,7 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
         | Cell::Range(_)
         | Cell::Coolant12(_)
         | Cell::Coolant34(_)
-        | Cell::Gear
-        | Cell::Stretch
-        | Cell::TimeDist => return None,
+        | Cell::Gear => return None,
     };
     Some(Bilingual { en, cs })
 }
@@ -186,7 +192,12 @@ const fn fact(flag: Flag) -> Option<Bilingual> {
             "1 while the cutting speed is held constant, `const_cut_speed` of the record",
             "1, dokud se udržuje konstantní řezná rychlost, `const_cut_speed` záznamu",
         ),
-        Flag::Rapid | Flag::Thread | Flag::Automatic | Flag::Dwell | Flag::Standing | Flag::Reference => return None,
+        Flag::Standing => ("1 in the step in which the program stands", "1 v kroku, ve kterém program stojí"),
+        Flag::Reference => (
+            "1 in a block that writes G30, with or without axes; 0 while the program stands in it",
+            "1 v bloku, ve kterém je zapsáno G30, s osami i bez nich; 0, když v něm program stojí",
+        ),
+        Flag::Rapid | Flag::Thread | Flag::Automatic | Flag::Dwell => return None,
     };
     Some(Bilingual { en, cs })
 }
