@@ -19,19 +19,16 @@ pub(super) fn word(text: &str, tokens: &[Token], at: usize) -> Option<(Word, Spa
     let first = next.when(|_| true)?;
     let byte = |at: u32| text.as_bytes().get(at as usize).copied().unwrap_or(0);
     let parameter = |token: Token| parameter_number(number(text, token));
-    let glued = at.checked_sub(1).and_then(|before| tokens.get(before)).filter(|before| before.end == first.start);
     let (word, span) = match first.kind {
         Kind::Word => {
             let number = Number::parse(number(text, first).as_bytes())?;
-            // `N13l0`: a small `l` is the digit there.
-            let digit = byte(first.start) == b'l' && glued.is_some_and(|before| byte(before.start) == b'N');
             let address = Address::from_byte(byte(first.start))?;
             // `Z-24/2` divides nothing; the `/` of `Z-24/ 2` is a word.
             let divided = next.peek().is_some_and(|next| {
                 let digits = next.kind == Kind::Skip && byte(next.start + 1).is_ascii_digit();
                 digits && next.start == first.end && address != Address::N
             });
-            let whole = next.number().is_none() && !digit && !divided;
+            let whole = next.number().is_none() && !divided;
             let word = Word::with_number(address, first.span(), number);
             return whole.then_some((word, first.span(), 1));
         }

@@ -3,8 +3,7 @@
 use super::functions::arc_in_force;
 use super::{Around, Diagnosis, numbers, without_blanks, write};
 use crate::diag::{Finding, FixTitle, Meant, NumberMeant, ValueMeant, shown};
-use crate::dict::{Address, GCode, HIGHEST_BLOCK};
-use crate::sure::Sure;
+use crate::dict::{Address, HIGHEST_BLOCK};
 use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, Shape, Token};
 use crate::syntax::{Word, grammar};
@@ -32,31 +31,6 @@ pub(super) fn is_all_letters(number: &str) -> bool {
 /// Letters that hardly begin a word right behind an address: next to digits on the keyboard, or no address at all.
 const fn is_unlikely(letter: u8) -> bool {
     matches!(letter, b'Q' | b'E' | b'O' | b'P' | b'T' | b'L')
-}
-
-/// `N13l0 G1`: a small `l` is the address of a word (LEX-12), but behind a block number, where nothing takes an L, it
-/// is a digit.
-pub(super) fn small_l_in_number(around: &Around<'_>) -> Option<Diagnosis> {
-    let [n, l] = around.next([Kind::Word, Kind::Word]).filter(|_| around.at == 0)?;
-    let digits = |token: Token| around.number(token).bytes().all(|byte| byte.is_ascii_digit());
-    if around.byte(n.start) != b'N' || around.byte(l.start) != b'l' || n.end != l.start || !digits(n) || !digits(l) {
-        return None;
-    }
-    let others = around.words.iter().skip(2);
-    let taken = others.clone().any(|word| word.g_code().is_some_and(GCode::takes_l))
-        && !others.clone().any(|word| word.address == Address::L);
-    if taken {
-        let read = |token: Token| Number::parse(around.number(token).as_bytes());
-        let n_word = Word::with_number(Address::N, n.span(), read(n)?);
-        let l_word = Word::with_number(Address::L, l.span(), read(l)?);
-        return Some(Diagnosis { words: vec![(n_word, n.span()), (l_word, l.span())], ..Diagnosis::of(2) });
-    }
-    let written = format!("{}1{}", around.slice(n.span()), around.slice(l.span()).get(1..).sure());
-    let number = Number::parse(written.get(1..)?.as_bytes())?;
-    let span = n.span().to(l.span());
-    let finding = Finding::LetterForDigit { fixed: written.clone(), without: String::new() };
-    let found = around.offering(span, finding, written);
-    Some(Diagnosis::saying(2, found).with(Word::with_number(Address::N, span, number), span))
 }
 
 /// `XRl`, `YRO`: a parameter whose number is nothing but letters.

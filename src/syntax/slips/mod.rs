@@ -34,11 +34,10 @@ type Row = (Recogniser, &'static str);
 
 /// Well-formed words that may mean something else in their surroundings. Of several recognisers that match the
 /// first one counts.
-const AROUND_WORDS: [Row; 8] = [
+const AROUND_WORDS: [Row; 7] = [
     (functions::called_by_p, "G71 P100"),
     (functions::dwell, "G04 P500"),
     (functions::beside_height, "G83 Z-5 R2 Q3"),
-    (letters::small_l_in_number, "N13l0"),
     (letters::letter_for_last_digit, "Y3S"),
     (letters::letter_in_function, "G7N"),
     (numbers::divided, "Z-24/2"),

@@ -1,0 +1,10 @@
+%1 "male l hned za cislem je adresa L"
+"! args=-A W0108
+N1 R57=71
+N10l5 GR57
+N20l100 G71
+N90 M30
+N91 G79 L5
+N92 G70
+N100 G79 L100
+N110 G70
