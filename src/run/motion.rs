@@ -159,6 +159,9 @@ pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option
 /// arc (MOT-3), and what is wrong with it does not depend on a cycle (§13); with others the plane in force counts, with
 /// none also whether G23 takes I.
 fn is_unknown(words: &BlockWords, g: &InForce) -> bool {
+    if words.other_axis && (words.i.is_some() || words.j.is_some() || kind_in_force(g).is_arc()) {
+        return true;
+    }
     if g.unknown.is_empty() {
         return false;
     }

@@ -52,7 +52,10 @@ pub(super) fn read(site: &mut Site<'_>, state: &mut State, words: &mut BlockWord
             | Address::V
             | Address::W => {
                 let axis = site.machine().axes.index_of(word.address);
-                let Some(slot) = axis.and_then(|axis| words.axes.get_mut(axis)) else { continue };
+                let Some(slot) = axis.and_then(|axis| words.axes.get_mut(axis)) else {
+                    words.other_axis = true;
+                    continue;
+                };
                 words.axis_count += usize::from(slot.is_none());
                 slot
             }

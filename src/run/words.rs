@@ -39,6 +39,8 @@ pub(super) struct BlockWords {
     pub(super) m: Vec<(u8, Word)>,
     /// R words, in written order.
     pub(super) r: Vec<Word>,
+    /// A word of an axis that the machine does not have (E0311): which axis was meant, nobody knows.
+    pub(super) other_axis: bool,
     /// A G word whose value is not known.
     pub(super) unknown_g: bool,
     /// A G word that is malformed, or whose parameter has no value of use: it may be any function.
@@ -76,6 +78,7 @@ impl BlockWords {
             g_groups,
             m,
             r,
+            other_axis,
             unknown_g,
             malformed_g,
             malformed_m,
@@ -92,7 +95,7 @@ impl BlockWords {
         g.clear();
         m.clear();
         r.clear();
-        (*unknown_g, *malformed_g, *malformed_m, *parametric_g) = (false, false, false, false);
+        (*other_axis, *unknown_g, *malformed_g, *malformed_m, *parametric_g) = (false, false, false, false, false);
         (*g_groups, *clashes, *lasting_clashes) = Default::default();
         m_clashes.clear();
     }

@@ -41,7 +41,8 @@ pub(super) fn unknown_address(around: &Around<'_>) -> Option<Diagnosis> {
     }
     let span = first.span().to(last.span());
     let found = around.diagnostic(span, Finding::unknown_address(char::from(around.byte(first.start))));
-    Some(Diagnosis { comments, ..Diagnosis::saying(next.taken, found) }.junk(span).debris())
+    let diagnosis = Diagnosis { comments, ..Diagnosis::saying(next.taken, found) }.junk(span).debris();
+    Some(lost_address(around, diagnosis, span))
 }
 
 /// The function that `L Z+100 R0 FMAX` means, a straight line as another control writes it.
@@ -409,14 +410,17 @@ pub(super) fn unknown(around: &Around<'_>) -> Option<Diagnosis> {
     })
 }
 
-/// A sign with a number, in place of an address and its number: what it would have set.
+/// A sign or another letter with a number, in place of an address and its number: what it would have set.
 fn lost_address(around: &Around<'_>, diagnosis: Diagnosis, span: Span) -> Diagnosis {
-    use Address::{F, G, I, J, L, M, S, X, Y, Z};
+    use Address::{F, G, I, J, L, M, Q, S, X, Y, Z};
     let text = around.slice(span);
     let number = text.trim_start_matches(|sign: char| !sign.is_ascii_digit() && !"+-.".contains(sign));
     let digits = number.bytes().all(|byte| byte.is_ascii_digit());
+    let lacks = |takes: fn(GCode) -> bool, address| around.functions().any(takes) && !around.has(address);
     let addresses: &[Address] = match number.len() {
         0 => return diagnosis,
+        _ if lacks(GCode::takes_l, L) => &[L],
+        _ if lacks(|code| code == GCode::G04, Q) => &[Q],
         1 | 2 if digits => &[G, M, X, Y, Z],
         _ if digits => &[L, S, F, X, Y, Z],
         _ => &[X, Y, Z],
