@@ -2,7 +2,7 @@
 
 use super::basis::{Basis, InForce};
 use super::summary::{RedJoint, Summary, Total};
-use super::times::Untimed;
+use super::times::{Break, Untimed};
 use super::trimmed;
 use super::words::{Help, Words};
 use crate::diag::terminal_safe;
@@ -257,6 +257,8 @@ impl Account<'_> {
         }
         let help = match (joint.broken_by, joint.limited_by) {
             (Some(reason), _) => {
+                // `mode` comes before it in the record (CNT-2), and no mode helps.
+                let reason = if joint.beside_rapid { Break::Rapid } else { reason };
                 parts.push(format!("{}: {}", Words::Stops.text(lang), reason.text(lang)));
                 Help::of_break(reason)
             }

@@ -48,6 +48,10 @@ pub(super) struct With {
     pub n: u32,
     /// Working motion in G23, by the mode of its first block.
     pub in_g23: bool,
+    /// G00.
+    pub rapid: bool,
+    /// The mode that its end waits by (TIM-1).
+    pub end_mode: Mode,
     pub length: Option<f64>,
     pub programmed: Option<f64>,
 }
@@ -55,8 +59,9 @@ pub(super) struct With {
 impl Piece {
     /// Itself as the piece before another one.
     pub(super) fn as_with(&self) -> With {
-        let Self { seq, n, length, programmed, .. } = *self;
-        With { seq, n, in_g23: self.is_in_g23(), length, programmed }
+        let Self { seq, n, end_mode, length, programmed, .. } = *self;
+        let rapid = self.kind == MotionType::Rapid;
+        With { seq, n, in_g23: self.is_in_g23(), rapid, end_mode, length, programmed }
     }
 
     /// Working motion in G23, by the mode of its first block (DOT-1).

@@ -528,24 +528,31 @@ impl Planner {
             limited_by,
             dot: has_dot.then_some(if red { Dot::Red } else { Dot::Yellow }),
             within_g23: with_in_g23 && piece.is_in_g23(),
+            beside_rapid: piece.kind == MotionType::Rapid || piece.with.is_some_and(|with| with.rapid),
             cost_s: if has_dot && red { self.cost(piece, velocity) } else { 0.0 },
             feed_cap: caps.map_or(0.0, JointCaps::feed),
             no_room_to_stop: self.model.profile == Profile::Ramps && ends && short(),
         }
     }
 
-    /// What passing a joint at `velocity` costs about, against the programmed velocities, with constant acceleration.
+    /// What passing a joint at `velocity` costs about, against the programmed velocities: a ramp on either side, and
+    /// the wait where it is broken.
     fn cost(&self, piece: &Piece, velocity: f64) -> f64 {
         let accel = if piece.broken.is_none() { piece.dynamics.accel } else { self.accel_alone(piece) };
+        let jerk = if self.parabola.is_some() { piece.dynamics.jerk } else { f64::INFINITY };
+        let limits = Limits { accel, jerk };
         let side = |length: Option<f64>, programmed: Option<f64>| match (length, programmed) {
             (Some(length), Some(programmed)) if programmed > velocity => {
-                let way = (programmed * programmed - velocity * velocity) / (2.0 * accel);
-                let way = way.min(length);
-                ((velocity * velocity + 2.0 * accel * way).sqrt() - velocity) / accel - way / programmed
+                let top = limits.reach(velocity, length).min(programmed);
+                limits.time(top - velocity) - limits.distance(velocity, top) / programmed
             }
             _ => 0.0,
         };
-        side(piece.length, piece.programmed) + piece.with.map_or(0.0, |with| side(with.length, with.programmed))
+        let before = piece.with.map_or(0.0, |with| {
+            let wait = if piece.broken.is_some() { self.settle_time(with.end_mode) } else { 0.0 };
+            side(with.length, with.programmed) + wait
+        });
+        side(piece.length, piece.programmed) + before
     }
 
     /// Gives the blocks that have their times.

@@ -105,6 +105,8 @@ pub struct Joint {
     pub dot: Option<Dot>,
     /// Whether both blocks are working motion in G23 (W0801).
     pub within_g23: bool,
+    /// Whether one of the two is G00, which no mode makes continuous.
+    pub beside_rapid: bool,
     /// Its approximate cost in seconds, against passing it at the programmed velocities.
     pub cost_s: f64,
     /// The least of both programmed velocities, mm/s; 0 where the joint is broken.

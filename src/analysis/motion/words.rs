@@ -88,7 +88,9 @@ bilingual! {
         MFunction
             "write the M function where the machine stops anyway",
             "M funkci zapsat tam, kde se stroj stejně zastaví";
-        Unknown "give F and a known position before it", "zadat před ním F a známou polohu";
+        Unknown
+            "give F and a known position before it; per revolution also S, or constant-cutting-rpm under G97",
+            "zadat před ním F a známou polohu; posuv na otáčku potřebuje i S, při G97 constant-cutting-rpm";
         ShortLength
             "longer blocks, or merge-length-mm, which joins short ones",
             "delší bloky, nebo merge-length-mm, které krátké přidruží";

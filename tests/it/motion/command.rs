@@ -380,6 +380,32 @@ fn the_most_expensive_joints_first() {
     assert!(costs.first() > costs.last(), "they differ: {}", run.stdout);
 }
 
+/// What a joint costs is what passing it saves: its ramps by A and P, and the wait where it is broken.
+#[test]
+fn what_a_joint_costs() {
+    let program = "%1\nN5 G90 G94 G0 X0 Y0\nN10 G23 G01 X0 F3000\nN20 X200\nN30 X290 Y173.205\nN40 X500\nN50 M30\n";
+    let place = Place::with(&[("a.nc", program.as_bytes())]);
+    for config in [
+        "profile = 'parabolic'\nraise-ms = 1\n[motion.sets.1]\nparabolic = 30000\nlinear-mm-s2 = 1000\n",
+        "profile = 'linear'\naccuracy-um = 0\noverload-mm-s2 = 0\nsettle-ms = 500\n",
+    ] {
+        place.put("cnc872c.toml", format!("[motion]\n{config}"));
+        let run = place.run(&["motion", "a.nc", "--lang", "en"]).ends(0);
+        // G23 would not help beside G00.
+        assert!(run.stdout.contains("N20 after N5: stop: G00; costs"), "{}", run.stdout);
+        let costs = run.stdout.lines().filter(|line| line.contains(": 62.543°; stop: angle"));
+        let costs = costs.filter_map(|line| line.split_once("costs about ")?.1.strip_suffix(" s"));
+        let costs: f64 = costs.map(|cost| cost.parse::<f64>().unwrap()).sum();
+        let time = |more: &[&str]| {
+            let run = place.run(&[&["motion", "a.nc", "--format", "json"], more].concat()).ends(0);
+            let total: Value = serde_json::from_str(run.stdout.lines().last().unwrap()).unwrap();
+            total["time_s"].as_f64().unwrap()
+        };
+        let saved = time(&[]) - time(&["--set", "angle-deg=80"]);
+        assert!(costs > 0.2 && (costs - saved).abs() < 0.02 * saved, "{costs} for {saved}: {config}");
+    }
+}
+
 /// What counts as 0 because its time is not given is said in one line, in both languages.
 #[test]
 fn counted_as_nothing() {
