@@ -53,6 +53,9 @@ use status::{Failure, Status, exit_code, stdout};
 /// Runs the command line `arguments`, the name of the program first. The exit status: 0 no errors, 1 the programs have
 /// errors, 2 it could not run.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    // A file beyond `ulimit -f` is output that cannot be written, not the end of the process.
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
     ExitCode::from(status(arguments))
 }
 

@@ -48,8 +48,11 @@ pub(super) fn unknown_address(around: &Around<'_>) -> Option<Diagnosis> {
 /// The function that `L Z+100 R0 FMAX` means, a straight line as another control writes it.
 pub(super) fn line_function(around: &Around<'_>) -> Option<GCode> {
     let lone = |word: &Word| word.address == Address::L && word.is_void() && word.span(around.text).len() == 1;
-    let moves = around.words.iter().any(|word| word.address.axis().is_some() && !word.is_void());
-    let line = moves && !around.has(Address::G) && around.words.iter().any(lone);
+    let moves = |word: &Word| word.address.axis().is_some() && !word.is_void();
+    let mut words = around.words.iter();
+    // It stands before what it moves.
+    let line = words.find(|word| lone(word) || moves(word)).is_some_and(lone) && words.any(moves);
+    let line = line && !around.has(Address::G);
     line.then(|| if around.tokens.iter().any(|token| is_fastest(around, *token)) { GCode::G00 } else { GCode::G01 })
 }
 
