@@ -421,8 +421,10 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "",
         "macrocycles",
         Machine,
-        "A folder with macrocycles; may be given again, searched in this order. Else the program's folder",
-        "Složka s makrocykly; lze opakovat, hledá se v tomto pořadí. Jinak složka programu",
+        "A folder with macrocycles; may be given again, searched in this order. Else those under `macrocycles` in the \
+         project file, else the program's folder",
+        "Složka s makrocykly; lze opakovat, hledá se v tomto pořadí. Jinak složky z klíče `macrocycles` projektového \
+         souboru, jinak složka programu",
     ),
     arg(
         "",

@@ -69,6 +69,10 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
     let written = write(&archive, &targets, args.format, &mut stream, &progress, &mut report);
     drop(progress);
     written.and_then(|()| stream.keep()).map_err(|error| cannot_write(error, output, locale.lang))?;
+    let fault = cache.as_ref().and_then(Cache::fault);
+    if let Some((folder, error)) = args.cache.as_deref().zip(fault) {
+        return Err(Words::cannot_write(folder, error, locale.lang).into());
+    }
     if report.errors() > 0 || targets.is_empty() {
         return Ok(unusable(report, &shown, locale));
     }
@@ -180,7 +184,7 @@ fn for_each<T: Send>(
             write(made)?;
         }
         if let Some(cache) = archive.cache {
-            cache.write()?;
+            cache.write();
         }
     }
     Ok(())

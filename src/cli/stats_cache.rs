@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -52,6 +52,8 @@ pub struct Cache {
     damaged: usize,
     /// Lines that are in no file yet.
     new: Mutex<Vec<String>>,
+    /// Why they could not be written.
+    fault: OnceLock<io::Error>,
     /// The inputs of a folder's rows besides their programs: version, configuration, list of macrocycles.
     contexts: Mutex<HashMap<PathBuf, String>>,
     /// Hashes of the texts of macrocycles.
@@ -115,6 +117,7 @@ impl Cache {
             known: HashMap::new(),
             damaged: 0,
             new: Mutex::default(),
+            fault: OnceLock::new(),
             contexts: Mutex::default(),
             texts: Mutex::default(),
         };
@@ -216,13 +219,19 @@ impl Cache {
         })
     }
 
-    /// Writes the new rows to a new file.
-    ///
-    /// # Errors
-    /// What writing gives.
-    pub fn write(&self) -> io::Result<()> {
+    /// Writes the new rows to a new file; [`Self::fault`] says what came in the way.
+    pub fn write(&self) {
         let lines = std::mem::take(&mut *lock(&self.new));
-        if lines.is_empty() { Ok(()) } else { self.write_lines(&lines.concat(), lines.iter().cloned()).map(drop) }
+        if !lines.is_empty()
+            && let Err(error) = self.write_lines(&lines.concat(), lines.iter().cloned())
+        {
+            let _ = self.fault.set(error);
+        }
+    }
+
+    /// Why rows that are new could not be written. The table has them all the same.
+    pub fn fault(&self) -> Option<&io::Error> {
+        self.fault.get()
     }
 
     /// Writes a file, named after a text that no other file is named after.

@@ -318,7 +318,11 @@ pub const fn error_prefix(lang: Lang) -> &'static str {
 
 /// Why writing or reading failed, in the user's language where there is a text for it.
 pub fn reason(error: &io::Error, lang: Lang) -> String {
-    const TEXTS: [(io::ErrorKind, Bilingual); 6] = [
+    const TEXTS: [(io::ErrorKind, Bilingual); 7] = [
+        (
+            io::ErrorKind::AlreadyExists,
+            Bilingual { en: "something else has this name", cs: "tento název už má něco jiného" },
+        ),
         (io::ErrorKind::StorageFull, Bilingual { en: "the disk is full", cs: "disk je plný" }),
         (io::ErrorKind::QuotaExceeded, Bilingual { en: "the disk quota is used up", cs: "disková kvóta je vyčerpána" }),
         (io::ErrorKind::ReadOnlyFilesystem, Bilingual { en: "the disk is read-only", cs: "disk je jen pro čtení" }),

@@ -39,6 +39,17 @@ fn on_a_small_disk(place: &Place, arguments: &[&str]) -> Run {
     Run::of(place.command_through(&["sh", "-c", limit], arguments).output().unwrap())
 }
 
+/// A cache that cannot be written, or is none: the table is whole, and the message names the cache.
+#[test]
+fn a_cache_that_cannot_be_written() {
+    let place = Place::with(&[("taken", b"")]);
+    (0..20).for_each(|at| place.put(&format!("in/{at}.nc"), GOOD));
+    let run = on_a_small_disk(&place, &["stats", "in", "--cache", "cache"]).ends(2);
+    assert_eq!(run.stdout.lines().count(), 20, "{run:?}");
+    assert_eq!(run.stderr, "error: cannot write cache: it is too large\n");
+    place.run(&["stats", "in", "--cache", "taken"]).ends(2).says("cannot write taken: something else has this name");
+}
+
 /// A run with these signals ignored, as soon as it writes its file beside the two of the place.
 fn writing_with_ignored(place: &Place, signals: &str, arguments: &[&str]) -> Child {
     let ignoring = format!("trap '' {signals}; exec \"$0\" \"$@\"");
