@@ -158,10 +158,14 @@ pub fn stats(
             some.iter().try_for_each(|row| rows.row(row)).map_err(unkept)?;
             match &cache {
                 // The last rows of a cancelled run may not be whole.
-                Some((cache, folder)) if goes_on(0) => cache.write().map_err(|error| Fault::Io(folder.clone(), error)),
-                _ => Ok(()),
+                Some((cache, _)) if goes_on(0) => cache.write(),
+                _ => {}
             }
+            Ok(())
         })?;
+        if let Some((folder, error)) = cache.and_then(|(cache, folder)| Some((folder, cache.into_fault()?))) {
+            return Err(Fault::Io(folder, error));
+        }
         rows.end().map_err(unkept)?;
         Ok(Table::from(kept))
     })?;

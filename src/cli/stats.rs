@@ -69,9 +69,8 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
     let written = write(&archive, &targets, args.format, &mut stream, &progress, &mut report);
     drop(progress);
     written.and_then(|()| stream.keep()).map_err(|error| cannot_write(error, output, locale.lang))?;
-    let fault = cache.as_ref().and_then(Cache::fault);
-    if let Some((folder, error)) = args.cache.as_deref().zip(fault) {
-        return Err(Words::cannot_write(folder, error, locale.lang).into());
+    if let Some((folder, error)) = args.cache.as_deref().zip(cache.and_then(Cache::into_fault)) {
+        return Err(Words::cannot_write(folder, &error, locale.lang).into());
     }
     if report.errors() > 0 || targets.is_empty() {
         return Ok(unusable(report, &shown, locale));

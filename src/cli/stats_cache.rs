@@ -219,7 +219,7 @@ impl Cache {
         })
     }
 
-    /// Writes the new rows to a new file; [`Self::fault`] says what came in the way.
+    /// Writes the new rows to a new file; [`Self::into_fault`] says what came in the way.
     pub fn write(&self) {
         let lines = std::mem::take(&mut *lock(&self.new));
         if !lines.is_empty()
@@ -230,8 +230,8 @@ impl Cache {
     }
 
     /// Why rows that are new could not be written. The table has them all the same.
-    pub fn fault(&self) -> Option<&io::Error> {
-        self.fault.get()
+    pub fn into_fault(self) -> Option<io::Error> {
+        self.fault.into_inner()
     }
 
     /// Writes a file, named after a text that no other file is named after.
