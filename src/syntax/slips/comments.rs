@@ -132,25 +132,20 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     let quotes = || vec![edit(span.start, inside.start, "\""), edit(inside.end, span.end, "\"")];
     let comment = || around.characters(span, Meant::Comment);
     let Some(words) = words.filter(|_| !kept.is_empty()) else {
-        return Some(
-            Diagnosis::saying(
-                1,
-                if let Some(swallowed) = swallowed {
-                    around.characters(span, Meant::CommentBefore { words: shown(around.slice(swallowed).trim_end()) })
-                } else if body.trim().is_empty() {
-                    comment().with_offer(FixTitle::Delete { text: shown(text) }, place, "")
-                } else if body.contains('"') {
-                    comment()
-                } else {
-                    // A quote without a second one behind it may have lost that before the text.
-                    let certain = text.starts_with(['(', ';'])
-                        && swallowed::is_text(around.text, inside)
-                        && is_odd(around, span.end).is_none();
-                    comment().with_edits(certain.then_some(Certain::Comment), FixTitle::Comment, quotes())
-                },
-            )
-            .debris(),
-        );
+        let plain = swallowed::is_text(around.text, inside);
+        let found = if let Some(swallowed) = swallowed {
+            around.characters(span, Meant::CommentBefore { words: shown(around.slice(swallowed).trim_end()) })
+        } else if body.trim().is_empty() {
+            comment().with_offer(FixTitle::Delete { text: shown(text) }, place, "")
+        } else if body.contains('"') {
+            comment()
+        } else {
+            // A quote without a second one behind it may have lost that before the text.
+            let certain = text.starts_with(['(', ';']) && plain && is_odd(around, span.end).is_none();
+            comment().with_edits(certain.then_some(Certain::Comment), FixTitle::Comment, quotes())
+        };
+        let words = tokens(around.text, inside.start, inside.end).filter(|token| token.kind == Kind::Word && !plain);
+        return Some(unknown(around, Diagnosis::saying(1, found).debris(), words));
     };
     // `; Z50`, `(Z50)`: the border of a block on other controls, or a comment. `G7; L100`: a slip.
     let apart = kept.replace(';', " ").trim_end().to_owned();
