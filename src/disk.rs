@@ -203,7 +203,7 @@ pub fn begins_program(path: &Path) -> io::Result<bool> {
                 b'0'..=b'9' if percent => return Ok(true),
                 0 => {}
                 0xef | 0xbb | 0xbf | 0xff | 0xfe if begins => {}
-                b' ' | b'\t' if percent => {}
+                b' ' | b'\t' if percent || begins => {}
                 b'\r' | b'\n' => (begins, percent) = (true, false),
                 b'%' if begins => (begins, percent) = (false, true),
                 _ => (begins, percent) = (false, false),

@@ -260,6 +260,7 @@ mod tests {
             ("6.ncp", "x\n% 5 N1 M30", true),
             ("7.mpf", "%\nO2107", false),
             ("8.nc", utf16.as_str(), true),
+            ("9.nc", "  %1 N1 M30", true),
             ("L5.txt", "N1 G79 L5", true),
         ] {
             put(&folder.path().join(name), text);

@@ -253,8 +253,8 @@ bilingual! {
             "a quote is missing where the comment begins, here or further left: `\"{text}\"`",
             "chybí uvozovky, kterými komentář začíná, zde nebo dále vlevo: \"{text}\"";
         SwallowedBefore { words: String }
-            "a quote is missing before `{words}`, which the comment before swallows",
-            "chybí uvozovky před „{words}“, které spolkl předchozí komentář";
+            "the comment before swallows `{words}`: put its quotes right",
+            "předchozí komentář spolkl „{words}“: opravit jeho uvozovky";
         InNumber { words: String }
             "a quote within a number makes a comment of `{words}`: write the number without it",
             "uvozovky uvnitř čísla dělají z „{words}“ komentář: napsat číslo bez nich";

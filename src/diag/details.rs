@@ -127,8 +127,8 @@ bilingual! {
             "a quote is missing where the comment begins, here or further left: `\"{text}\"`",
             "chybí uvozovky, kterými komentář začíná, zde nebo dále vlevo: \"{text}\"";
         SwallowedBefore { words: String }
-            "a quote is missing before `{words}`, which the comment before swallows",
-            "chybí uvozovky před „{words}“, které spolkl předchozí komentář";
+            "the comment before swallows `{words}`: put its quotes right",
+            "předchozí komentář spolkl „{words}“: opravit jeho uvozovky";
         CommentBefore { words: String }
             "put the comment between quotes, together with `{words}` where that is a part of it",
             "komentář dát do uvozovek, a to i s {words}, pokud k němu patří";

@@ -116,7 +116,7 @@ fn look(snapshot: &Snapshot, known: &mut Known) -> bool {
             there.insert(path);
             continue;
         }
-        let mut lines = bytes.split(|byte| matches!(byte, b'\n' | b'\r'));
+        let mut lines = bytes.split(|byte| matches!(byte, b'\n' | b'\r')).map(<[u8]>::trim_ascii_start);
         if !lines.any(|line| line.first() == Some(&b'%') && line.get(1).is_some_and(u8::is_ascii_digit)) {
             continue;
         }

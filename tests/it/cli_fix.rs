@@ -75,7 +75,7 @@ fn a_folder_is_fixed_with_its_macrocycles() {
 /// diagnostics.md, "Fixes": what is certain is in the list, everything else is left as it is.
 #[test]
 fn only_what_is_certain_is_applied() {
-    let lines: [(&str, &str); 53] = [
+    let lines: [(&str, &str); 58] = [
         // A decimal comma, not where another number may have been meant.
         ("X10,5", "X10.5"),
         ("XO,5", "XO,5"),
@@ -101,6 +101,12 @@ fn only_what_is_certain_is_applied() {
         ("to X5", "to X5"),
         ("\"tam a \"CO X5", "\"tam a \"CO X5"),
         ("X5 CO\"", "X5 CO\""),
+        // A comment, but not beside another quote, which may be the one too many, or behind `/`.
+        ("X5 (dolu)", "X5 \"dolu\""),
+        ("X5 \"Y5 \"(dolu)", "X5 \"Y5 \"(dolu)"),
+        ("X5 \"Y5 \"\u{201e}dolu\u{201c}", "X5 \"Y5 \"\u{201e}dolu\u{201c}"),
+        ("X5 \u{201e}dolu\u{201c}\" Y5", "X5 \u{201e}dolu\u{201c}\" Y5"),
+        ("X5 /(dolu)", "X5 /(dolu)"),
         ("R1O=5", "R1O=5"),
         // A blank behind a sign, none inside a number.
         ("X-  36.12", "X-36.12"),

@@ -191,7 +191,7 @@ fn what_a_fix_would_guess() {
 /// Where a slip may have been one of several, each reading is offered, and none that its address does not take.
 #[test]
 fn several_readings() {
-    let cases: [(&str, &[&str]); 35] = [
+    let cases: [(&str, &[&str]); 38] = [
         ("F1 50X3", &["write `F150`"]),
         ("G0X41. 5Z2", &["write `Z52`", "write `X41.5`"]),
         ("T1 2M6", &["write `M26`", "write `T12`"]),
@@ -227,6 +227,9 @@ fn several_readings() {
         ("R15B25.5", &[]),
         ("X5YřZ1", &["write `Y5`"]),
         ("X-ě5 Y1", &["write `X-25`"]),
+        ("T2\" M6     \"vrtak D8\"", &["delete `\"`"]),
+        ("G0\n1 Z-2", &[]),
+        ("G0\n50 Z-2", &["write `N50`"]),
     ];
     for (slip, wanted) in cases {
         let program = format!("%1\nN20 T1 M06 D1\nN30 G00 X0 Y0 Z5 F100 S500 M03\nN40 {slip}\nN90 M30\n");
@@ -250,7 +253,8 @@ fn words_with_a_comment_between_brackets() {
 }
 
 /// Findings that appear after a change, in samples with more than one slip.
-const BROUGHT_TO_LIGHT: [(&str, &[Code]); 6] = [
+const BROUGHT_TO_LIGHT: [(&str, &[Code]); 7] = [
+    ("lex-bracket-words.nc", &[Code::E0603]),
     ("lex-numbers.nc", &[Code::E0307]),
     ("blk-skip-on.nc", &[Code::W0601]),
     ("lex-one-finding.nc", &[Code::E0203, Code::E0302, Code::E0305, Code::W0402, Code::W0403]),

@@ -71,6 +71,16 @@ fn is_odd(around: &Around<'_>, from: u32) -> Option<u32> {
     (quotes % 2 == 1).then_some(from + small(end))
 }
 
+/// Whether a quote stands elsewhere in the line: it may be the one that is too many, or swallow what the comment was to
+/// end. In a line that people write, not in a longer one.
+fn is_beside_quote(around: &Around<'_>, span: Span) -> bool {
+    const LONGEST: usize = 240;
+    let in_line = |character: &char| !matches!(character, '\r' | '\n');
+    let before = around.text.get(..span.start as usize).sure().chars().rev().take(LONGEST).take_while(in_line);
+    let behind = around.text.get(span.end as usize..).sure().chars().take(LONGEST).take_while(in_line);
+    before.chain(behind).any(|character| character == '"')
+}
+
 /// One finding for the quotes of a comment, at the first (LEX-12).
 pub(super) fn typographic(around: &Around<'_>) -> Option<Diagnosis> {
     let span = around.junk(Shape::TypographicComment)?.span();
@@ -96,7 +106,7 @@ pub(super) fn typographic(around: &Around<'_>) -> Option<Diagnosis> {
         return Some(diagnosis);
     }
     // A comment that nothing closes may have swallowed words.
-    let certain = !alone || plain || swallowed::is_text(around.text, behind);
+    let certain = (!alone || plain || swallowed::is_text(around.text, behind)) && !is_beside_quote(around, span);
     let found =
         diagnosis.found.map(|found| found.with_edits(certain.then_some(Certain::Quotes), FixTitle::PlainQuotes, edits));
     Some(Diagnosis { found, ..diagnosis })
@@ -141,7 +151,8 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
             comment()
         } else {
             // A quote without a second one behind it may have lost that before the text.
-            let certain = text.starts_with(['(', ';']) && plain && is_odd(around, span.end).is_none();
+            let skip = around.previous().is_some_and(|before| before.kind == Kind::Skip && before.end == span.start);
+            let certain = text.starts_with(['(', ';']) && plain && !skip && !is_beside_quote(around, span);
             comment().with_edits(certain.then_some(Certain::Comment), FixTitle::Comment, quotes())
         };
         let words = tokens(around.text, inside.start, inside.end).filter(|token| token.kind == Kind::Word && !plain);

@@ -413,6 +413,16 @@ pub(super) fn without_n(around: &Around<'_>) -> Option<Diagnosis> {
     let text = around.slice(span);
     let digits: String = text.chars().filter(char::is_ascii_digit).collect();
     let written = format!("N{digits}");
+    // `N40 G0`, and `1 Z-2` below: a line break within the number. A block number would rise.
+    let cut = around.cut_before(span.start);
+    let line = around.text.get(..cut as usize).sure().rsplit(['\r', '\n']).next().sure();
+    let above = line.trim_start_matches([' ', '\t']).strip_prefix(['N', 'n']).unwrap_or_default();
+    let above: String = above.chars().take_while(char::is_ascii_digit).collect();
+    let number = |digits: &str| digits.parse::<u32>().unwrap_or(0);
+    if cut != span.start && number(&digits) <= number(&above) {
+        let found = around.malformed(span, NumberMeant::NoAddress);
+        return Some(Diagnosis::saying(1, found).void(Address::N, span));
+    }
     let found = if text.starts_with(|first: char| first.is_ascii_digit() || "+-.,".contains(first)) {
         around.malformed(span, NumberMeant::BlockNumber { written: written.clone() })
     } else {

@@ -137,13 +137,15 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
     let length = |text: &str| small(text.len());
     let before = around.previous().filter(|before| before.kind == Kind::Comment && before.end == span.start);
     let before = before.filter(|before| before.end - before.start > 2 && around.byte(before.end - 1) == b'"');
-    let swallowed =
-        before.and_then(|before| swallowed::words(around.text, Span::new(before.start + 1, before.end - 1)));
+    let inside = before.map(|before| Span::new(before.start + 1, before.end - 1));
+    // `T2" M6 "vrtak"`: a quote too many made a comment of words, and of nothing else.
+    let whole = inside.filter(|inside| swallowed::only_words(around.text, *inside).is_some());
+    let swallowed = whole.or_else(|| inside.and_then(|inside| swallowed::words(around.text, inside)));
     let off = || Some(span.end + length(rest.split(['\r', '\n']).next().sure()));
     let ascii = text.is_ascii();
     let (finding, missing) = if let Some(words) = swallowed {
         let start = words.start;
-        let words = shown(around.slice(words).trim_end());
+        let words = shown(around.slice(words).trim_matches([' ', '\t']));
         let finding = match ascii {
             true => Finding::StrayText { text: shown(text), meant: TextMeant::SwallowedBefore { words } },
             false => Finding::UnknownCharacter { text: shown(text), meant: Meant::SwallowedBefore { words } },
@@ -172,8 +174,16 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
         };
         (finding, span.start)
     };
-    let title = FixTitle::Insert { text: "\"".to_owned() };
-    Some((around.diagnostic(span, finding).with_offer(title, around.place(Span::empty(missing)), "\""), off()))
+    let found = around.diagnostic(span, finding);
+    let quote = "\"".to_owned();
+    let found = match whole {
+        Some(inside) => {
+            let place = around.place(Span::new(inside.start - 1, inside.start));
+            found.with_offer(FixTitle::Delete { text: quote }, place, "")
+        }
+        None => found.with_offer(FixTitle::Insert { text: quote }, around.place(Span::empty(missing)), "\""),
+    };
+    Some((found, off()))
 }
 
 /// The name of a unit behind a number: `F300mm/min`.
