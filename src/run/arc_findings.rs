@@ -133,7 +133,9 @@ pub(super) fn radii(
     let text = |pair: [Micro; 2]| in_order(pair).map(|value| value.to_string());
     let diameters = state.modal(GGroup::G10) == Some(GCode::G74)
         && machine.axes.index(AxisLetter::X).is_some_and(|x| named.contains(&x));
-    let mut meant = meant_center(machine, arc, in_order);
+    // Where the radii nearly agree, a digit of the end or of the centre is wrong.
+    let near = (computed.radius - computed.end_radius).abs() < computed.radius / 50.0;
+    let mut meant = if near { ArcMeant::Nothing } else { meant_center(machine, arc, in_order) };
     if meant == ArcMeant::Nothing && !fits_mirrored(machine, arc) {
         meant = meant_mode(site, state, (words, g), named, arc);
     }
