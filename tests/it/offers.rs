@@ -191,7 +191,7 @@ fn what_a_fix_would_guess() {
 /// Where a slip may have been one of several, each reading is offered, and none that its address does not take.
 #[test]
 fn several_readings() {
-    let cases: [(&str, &[&str]); 40] = [
+    let cases: [(&str, &[&str]); 42] = [
         ("F1 50X3", &["write `F150`"]),
         ("G0X41. 5Z2", &["write `Z52`", "write `X41.5`"]),
         ("T1 2M6", &["write `M26`", "write `T12`"]),
@@ -229,6 +229,8 @@ fn several_readings() {
         ("X-ě5 Y1", &["write `X-25`"]),
         ("T2\" M6     \"vrtak D8\"", &["delete `\"`"]),
         ("G0\n1 Z-2", &[]),
+        ("G71 1100", &["write `L1100`", "write `L100`"]),
+        ("G71 100", &["write `L100`"]),
         ("G2 X10.05 Y10 I0 J10", &[]),
         ("G2 X20 Y0 I0 J10", &["write `I10 J0`"]),
         ("G0\n50 Z-2", &["write `N50`"]),

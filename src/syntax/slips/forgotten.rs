@@ -191,8 +191,13 @@ pub(super) fn address(around: &Around<'_>) -> Option<Diagnosis> {
     };
     // What is missing is more likely than a blank too many: `X7040` for `X70 40` would be a wrong move.
     let missing_word = missing.map(|_| Fix::offer(write(&written), around.place(split.loose.span()), written));
+    // `G71 1100`: the 1 may be a small l.
+    let small_l = split.text.strip_prefix('1').filter(|_| missing == Some(Address::L));
+    let small_l = small_l.filter(|rest| rest.starts_with(|first: char| matches!(first, '1'..='9')));
+    let small_l = small_l.map(|rest| format!("L{rest}"));
+    let small_l = small_l.map(|written| Fix::offer(write(&written), around.place(split.loose.span()), written));
     let joining = base_found.fixes.into_iter().filter(|_| joins);
-    let fixes = missing_word.into_iter().chain(joining).collect();
+    let fixes = missing_word.into_iter().chain(small_l).chain(joining).collect();
     let diagnosis = Diagnosis { found: Some(Diagnostic { finding, fixes, ..base_found }), ..base };
     if split.apart && missing.is_none() {
         return Some(diagnosis);
