@@ -104,16 +104,22 @@ macro_rules! characters {
             cs (meant.message(text, Lang::Cs))
             help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
             note (meant.note(Lang::En)) | (meant.note(Lang::Cs))
-        [E0107] LetterForDigit "letter-for-digit" Error { fixed: String, without: String }
+        [E0107] LetterForDigit "letter-for-digit" Error { fixed: String, without: String, comment: String }
             en "a letter in place of a digit"
             cs "místo číslice je písmeno"
             help (match (fixed.is_empty(), without.is_empty()) {
+                _ if !comment.is_empty() => {
+                    format!("write `{fixed}`, or put a comment between quotes: `\"{comment}\"`")
+                }
                 (true, true) => String::new(),
                 (false, true) => format!("write `{fixed}`"),
                 (true, false) => format!("if the letter is one too many, write `{without}`"),
                 (false, false) => format!("write `{fixed}`, or `{without}` if the letter is one too many"),
             })
                | (match (fixed.is_empty(), without.is_empty()) {
+                   _ if !comment.is_empty() => {
+                       format!("napsat „{fixed}“, nebo komentář dát do uvozovek: \"{comment}\"")
+                   }
                    (true, true) => String::new(),
                    (false, true) => format!("napsat „{fixed}“"),
                    (true, false) => format!("je-li písmeno navíc, napsat „{without}“"),

@@ -41,7 +41,7 @@ pub(super) fn parameter_of_letters(around: &Around<'_>) -> Option<Diagnosis> {
     let number = letters.bytes().map(look_alike).collect::<Option<String>>().filter(|_| is_all_letters(letters))?;
     grammar::parameter_number(&number)?;
     let fixed = format!("{address}R{number}");
-    let finding = Finding::LetterForDigit { fixed: fixed.clone(), without: String::new() };
+    let finding = Finding::LetterForDigit { fixed: fixed.clone(), without: String::new(), comment: String::new() };
     Some(Diagnosis::saying(1, around.offering(span, finding, fixed)).void(address, span))
 }
 
@@ -66,7 +66,8 @@ pub(super) fn letter_for_last_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let without = around.slice(word.span()).to_ascii_uppercase();
     let written = Some(written).filter(|_| around.may_mean(address, word.start, number));
     let fixed = written.as_ref().map(|written| shown(written)).unwrap_or_default();
-    let found = around.diagnostic(span, Finding::LetterForDigit { fixed, without: shown(&without) });
+    let found =
+        around.diagnostic(span, Finding::LetterForDigit { fixed, without: shown(&without), comment: String::new() });
     let found = written
         .into_iter()
         .chain([without])

@@ -102,7 +102,9 @@ impl Broken<'_> {
                 let certain = alone && self.is_no_text(around);
                 without = if certain { None } else { self.without_letter(around, &joined) };
                 let shorter = without.clone().unwrap_or_default();
-                let finding = Finding::LetterForDigit { fixed: shown(&fixed), without: shorter };
+                let text = alone && !certain && !matches!(address, Address::N | Address::L);
+                let comment = if text { shown(around.slice(span)) } else { String::new() };
+                let finding = Finding::LetterForDigit { fixed: shown(&fixed), without: shorter, comment };
                 (certain.then_some(Certain::LettersAlone), finding)
             }
             Some(_) if pieces.is_empty() => return (number, None),
@@ -129,7 +131,7 @@ impl Broken<'_> {
         let finding = if fits {
             finding
         } else if let Finding::LetterForDigit { without, .. } = finding {
-            Finding::LetterForDigit { fixed: String::new(), without }
+            Finding::LetterForDigit { fixed: String::new(), without, comment: String::new() }
         } else {
             let loose = shown(pieces.last().map_or("", |piece| around.slice(piece.span())));
             Finding::SplitNumber { joined: String::new(), loose, written: String::new() }

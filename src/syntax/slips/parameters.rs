@@ -21,8 +21,10 @@ pub(super) fn number(around: &Around<'_>, token: Token) -> (Option<u8>, Option<D
     }
     let letters = (fixed != digits).then(|| {
         let written = shown(&format!("R{fixed}"));
-        let found =
-            around.diagnostic(token.span(), Finding::LetterForDigit { fixed: written.clone(), without: String::new() });
+        let found = around.diagnostic(
+            token.span(),
+            Finding::LetterForDigit { fixed: written.clone(), without: String::new(), comment: String::new() },
+        );
         let certain = is_all_letters(digits).then_some(Certain::LettersAlone);
         found.with_edits(certain, write(&written), vec![Edit { at: around.place(place), text: fixed }])
     });
