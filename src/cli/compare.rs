@@ -22,7 +22,7 @@ use crate::diag::{Format, Report};
 use crate::dict::Micro;
 use crate::disk::{DiskLoader, is_stdin};
 use crate::session::Session;
-use crate::text::{FileId, path_name};
+use crate::text::{FileId, last_name, path_name};
 use crate::view::{Collector, Keep, Naming, Part, page};
 
 /// A program that was read; its steps only when it could be executed, and has no errors or `--partial` is given.
@@ -65,8 +65,7 @@ pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure>
         let compared = for_page(&old, &new, &changes);
         let draw_old = || draw(&old_read, &old, None);
         let (old_data, data) = crate::parallel::join(draw_old, || draw(&new_read, &new, Some(compared)));
-        let name = Naming { program: &args.new, loader: &new_read.job.loader }.program();
-        let page = page(&data?, Some(&old_data?), &name, locale.chosen);
+        let page = page(&data?, Some(&old_data?), &last_name(&args.new), locale.chosen);
         let output = Some(output.as_path()).filter(|output| !is_stdin(output));
         let mut stream = Stream::open(output, locale.lang)?;
         let written = stream.write_all(page.as_bytes()).and_then(|()| stream.flush()).and_then(|()| stream.keep());

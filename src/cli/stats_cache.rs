@@ -219,7 +219,7 @@ impl Cache {
         })
     }
 
-    /// Writes the new rows to a new file; [`Self::into_fault`] says what came in the way.
+    /// Writes the new rows to a new file; [`Self::into_fault`] says why that failed.
     pub fn write(&self) {
         let lines = std::mem::take(&mut *lock(&self.new));
         if !lines.is_empty()
@@ -229,7 +229,7 @@ impl Cache {
         }
     }
 
-    /// Why rows that are new could not be written. The table has them all the same.
+    /// Why new rows could not be written. The table has them nevertheless.
     pub fn into_fault(self) -> Option<io::Error> {
         self.fault.into_inner()
     }

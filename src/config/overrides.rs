@@ -39,7 +39,7 @@ pub struct Overrides {
 }
 
 impl Overrides {
-    /// What the program executes by, as arguments of the command line; files and folders by their names alone.
+    /// What changes the execution, as arguments of the command line; files and folders by their names alone.
     pub(super) fn arguments(&self) -> Vec<String> {
         let option = |option: &str, value: Option<String>| value.map(|value| [option.to_owned(), value]);
         let folders = self.macrocycles.iter().map(|folder| option("-L", Some(last_name(folder))));

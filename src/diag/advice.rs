@@ -253,7 +253,7 @@ bilingual! {
             "a quote is missing where the comment begins, here or further left: `\"{text}\"`",
             "chybí uvozovky, kterými komentář začíná, zde nebo dále vlevo: \"{text}\"";
         SwallowedBefore { words: String }
-            "the comment before swallows `{words}`: put its quotes right",
+            "the comment before swallows `{words}`: fix its quotes",
             "předchozí komentář spolkl „{words}“: opravit jeho uvozovky";
         InNumber { words: String }
             "a quote within a number makes a comment of `{words}`: write the number without it",

@@ -15,7 +15,7 @@ use crate::diag::Report;
 use crate::dict::bilingual;
 use crate::query::observe::MOST;
 use crate::session::Session;
-use crate::text::{FileId, Loader, Overlay};
+use crate::text::{FileId, Loader, Overlay, last_name};
 use crate::view::{Collector, Keep, Naming, Part, page};
 
 /// What is compared, beside the document.
@@ -60,14 +60,13 @@ pub(super) fn answer(snapshot: &Snapshot, analysis: &Analysis, params: ComparePa
         return Err(refuse(Words::Macrocycle));
     }
     let other = with.as_ref().map_or_else(|| path.clone(), |uri| files.path_of(uri));
-    let called = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let bytes = if with.is_none() { files.saved(path) } else { files.read(&other) };
-    let bytes = bytes.map_err(|_| refuse(Words::CannotRead { file: called(&other) }))?;
+    let bytes = bytes.map_err(|_| refuse(Words::CannotRead { file: last_name(&other) }))?;
     let overlay = Overlay { below: files, path: &other, bytes: &bytes };
     let (settings, ..) = configuration(&other, files, &snapshot.client);
     let old_loader: &dyn Loader = if with.is_none() { &overlay } else { files };
-    let old = Program { path: &other, name: called(&other), loader: old_loader, settings: &settings };
-    let new = Program { path, name: called(path), loader: files, settings: &analysis.settings };
+    let old = Program { path: &other, name: last_name(&other), loader: old_loader, settings: &settings };
+    let new = Program { path, name: last_name(path), loader: files, settings: &analysis.settings };
     let (old_read, new_read) = (old.read(snapshot), new.read(snapshot));
     let ((old_side, old_steps), (new_side, new_steps)) = (old_read.map_err(refuse)?, new_read.map_err(refuse)?);
     let changes = compare(&old_steps, &new_steps, Tolerances::default()).changes;

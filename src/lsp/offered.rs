@@ -106,7 +106,7 @@ fn allow(snapshot: &Snapshot, analysis: &Analysis, code: Code) -> Option<Workspa
 }
 
 /// The place in a project file for the level, and its text; none where the levels are an inline table or dotted keys:
-/// a second table of that name is an error. None in a file that is no TOML, which says nothing.
+/// a second table of that name is an error. None in a file that is not valid TOML.
 fn lint_edit(source: &SourceText, code: Code) -> Option<(Span, String)> {
     source.text().parse::<toml_edit::DocumentMut>().ok()?;
     let level = format!("{} = \"allow\"", code.name());

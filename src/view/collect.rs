@@ -41,7 +41,7 @@ pub struct Collector {
     too_large: bool,
     /// Whether nothing of the machine's motion is configured.
     assumed: bool,
-    /// What a command needs to execute the program so.
+    /// The arguments with which a command executes the program the same way.
     arguments: Vec<String>,
     machine: Value,
     program: Map<String, Value>,

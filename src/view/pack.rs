@@ -30,7 +30,7 @@ pub(super) struct About<'v> {
     pub size: [Value; 2],
     /// What another program does differently.
     pub compared: Option<Value>,
-    /// What a command needs to execute the program so.
+    /// The arguments with which a command executes the program the same way.
     pub arguments: &'v [String],
 }
 

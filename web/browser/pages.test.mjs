@@ -561,7 +561,7 @@ test('pictures look as before', { timeout: 180_000 }, async () => {
       await drawn(tab);
       const key = `${name} ${scheme} ${plane} ${by}`;
       made[key] = await coarse(tab);
-      // A machine that has other work may draw later.
+      // A busy machine may draw later.
       for (let wait = 0; wait < 50 && known[key] !== undefined && difference(made[key], known[key]) >= 1.5; wait += 1) {
         await new Promise((resolve) => setTimeout(resolve, 100));
         made[key] = await coarse(tab);

@@ -189,7 +189,7 @@ impl Account<'_> {
         }
         if summary.by_tool.keys().any(Option::is_some) {
             lines.head(&Words::Tools);
-            // What is not known is shown with its tool; before the first, the approach alone is not.
+            // An unknown time is shown with its tool. Before the first tool change, an approach alone has no row.
             let counts = |tool: Option<Decimal>, total: &Total| match tool {
                 Some(_) => !total.is_nothing(),
                 None => total.time_s > 0.0 || total.lacks_more_than_approach(),

@@ -66,13 +66,10 @@ pub const fn rule_text(rule: u8) -> Bilingual {
             "Při M41–M44 a při M40 s [[gears]]; jinak bez hodnoty",
         ),
         14 => ("1 in a block with a dwell above 0", "1 v bloku s prodlevou větší než 0"),
-        17 => (
-            "1 in the step in which the program stands; REFPI in a block that writes G30",
-            "1 v kroku, ve kterém program stojí; REFPI v bloku, ve kterém je zapsáno G30",
-        ),
+        17 => ("1 in the step in which the program stands", "1 v kroku, ve kterém program stojí"),
         _ => (
-            "With [motion]: in a stretch of two blocks or more; without it no value",
-            "S [motion]: v úseku dvou nebo více bloků; jinak bez hodnoty",
+            "With [motion]: 1 in a stretch of two blocks or more, else 0; without it no value",
+            "S [motion]: 1 v úseku dvou nebo více bloků, jinak 0; bez [motion] bez hodnoty",
         ),
     };
     Bilingual { en, cs }
@@ -126,10 +123,6 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
             "`linear-mm-s2` platné sady dynamiky, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, \
              při G00 nebo G23; jinak bez hodnoty",
         ),
-        Cell::Stretch => (
-            "With [motion]: 1 in a stretch of two blocks or more, else 0; without it no value",
-            "S [motion]: 1 v úseku dvou nebo více bloků, jinak 0; bez [motion] bez hodnoty",
-        ),
         Cell::TimeDist => (
             "With [motion]: whole milliseconds in a stretch of two blocks or more; else no value",
             "S [motion]: celé milisekundy v úseku dvou nebo více bloků; jinak bez hodnoty",
@@ -148,7 +141,8 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
         | Cell::Range(_)
         | Cell::Coolant12(_)
         | Cell::Coolant34(_)
-        | Cell::Gear => return None,
+        | Cell::Gear
+        | Cell::Stretch => return None,
     };
     Some(Bilingual { en, cs })
 }
@@ -192,12 +186,11 @@ const fn fact(flag: Flag) -> Option<Bilingual> {
             "1 while the cutting speed is held constant, `const_cut_speed` of the record",
             "1, dokud se udržuje konstantní řezná rychlost, `const_cut_speed` záznamu",
         ),
-        Flag::Standing => ("1 in the step in which the program stands", "1 v kroku, ve kterém program stojí"),
         Flag::Reference => (
             "1 in a block that writes G30, with or without axes; 0 while the program stands in it",
             "1 v bloku, ve kterém je zapsáno G30, s osami i bez nich; 0, když v něm program stojí",
         ),
-        Flag::Rapid | Flag::Thread | Flag::Automatic | Flag::Dwell => return None,
+        Flag::Rapid | Flag::Thread | Flag::Automatic | Flag::Dwell | Flag::Standing => return None,
     };
     Some(Bilingual { en, cs })
 }

@@ -53,9 +53,11 @@ pub(super) fn quoted(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis { found, ..diagnosis })
 }
 
-/// The end of the line, if an odd number of quotes follows in it. Longer lines than people write are not looked at.
+/// Nobody writes a longer line: so far is looked around for quotes.
+const LONGEST: usize = 240;
+
+/// The end of the line, if an odd number of quotes follows in it.
 fn is_odd(around: &Around<'_>, from: u32) -> Option<u32> {
-    const LONGEST: usize = 240;
     let rest = around.text.get(from as usize..)?;
     let (mut quotes, mut end) = (0, rest.len());
     for (at, character) in rest.char_indices() {
@@ -71,10 +73,8 @@ fn is_odd(around: &Around<'_>, from: u32) -> Option<u32> {
     (quotes % 2 == 1).then_some(from + small(end))
 }
 
-/// Whether a quote stands elsewhere in the line: it may be the one that is too many, or swallow what the comment was to
-/// end. In a line that people write, not in a longer one.
+/// Whether another quote is on the line: it may be one too many, or swallow what stands before the comment.
 fn is_beside_quote(around: &Around<'_>, span: Span) -> bool {
-    const LONGEST: usize = 240;
     let in_line = |character: &char| !matches!(character, '\r' | '\n');
     let before = around.text.get(..span.start as usize).sure().chars().rev().take(LONGEST).take_while(in_line);
     let behind = around.text.get(span.end as usize..).sure().chars().take(LONGEST).take_while(in_line);

@@ -417,11 +417,12 @@ pub(super) fn without_n(around: &Around<'_>) -> Option<Diagnosis> {
     let written = format!("N{digits}");
     // `N40 G0`, and `1 Z-2` below: a line break within the number. A block number would rise.
     let cut = around.cut_before(span.start);
-    let line = around.text.get(..cut as usize).sure().rsplit(['\r', '\n']).next().sure();
-    let above = line.trim_start_matches([' ', '\t']).strip_prefix(['N', 'n']).unwrap_or_default();
-    let above: String = above.chars().take_while(char::is_ascii_digit).collect();
-    let number = |digits: &str| digits.parse::<u32>().unwrap_or(0);
-    if cut != span.start && number(&digits) <= number(&above) {
+    let above = || {
+        let line = around.text.get(..cut as usize)?.rsplit(['\r', '\n']).next()?;
+        let number = line.trim_start_matches([' ', '\t']).strip_prefix(['N', 'n'])?;
+        number.split(|end: char| !end.is_ascii_digit()).next()?.parse::<u32>().ok()
+    };
+    if cut != span.start && above().is_some_and(|above| digits.parse().is_ok_and(|own: u32| own <= above)) {
         let found = around.malformed(span, NumberMeant::NoAddress);
         return Some(Diagnosis::saying(1, found).void(Address::N, span));
     }

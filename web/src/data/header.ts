@@ -88,7 +88,7 @@ export interface Header {
   generator: string;
   /** The record of the program, as the block stream has it. */
   program: Fields & { name: string; axes: { letter: string; kind: string }[]; number: number; title?: string };
-  /** What a command needs to execute the program as the page shows it. */
+  /** The arguments with which a command executes the program as the page shows it. */
   arguments?: string[];
   /** The records `machine` and `total` of the motion stream. */
   machine?: Fields;
