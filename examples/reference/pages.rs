@@ -94,10 +94,12 @@ fn signals(lang: Lang) -> String {
     }
     page.push_str(text(lang, "\n## What gives the value\n\n", "\n## Co určuje hodnotu\n\n"));
     head(&mut page, &[text(lang, "rule", "pravidlo"), text(lang, "value", "hodnota")]);
-    for rule in 1..=15 {
-        // A rule about cells of many kinds has a text for each of them.
-        let own: Vec<_> = ROWS.iter().filter(|row| row.rule == rule && row.has_own_text()).collect();
-        if own.is_empty() {
+    // PLC-16 is about steps.
+    for rule in (1..=15).chain([17]) {
+        // A rule about cells of many kinds has a text for each of them, or for those that differ.
+        let of_rule = ROWS.iter().filter(|row| row.rule == rule);
+        let (own, shared): (Vec<_>, Vec<_>) = of_rule.partition(|row| row.has_own_text());
+        if own.is_empty() || !shared.is_empty() {
             row(&mut page, &[&format!("PLC-{rule}"), rule_text(rule).get(lang)]);
         }
         for signal in own {
