@@ -2,12 +2,11 @@
 
 use std::collections::{BTreeMap, HashSet};
 use std::fs::{self, File, FileType};
-use std::io::{self, Read, Seek};
+use std::io::{self, BufRead, BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use crate::sure::Sure;
 use crate::text::{BrokenLink, Loader, Numbered};
 
 /// The name of standard input among programs.
@@ -178,38 +177,34 @@ pub fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
     Ok(found.into_iter().map(|(name, kind)| Entry { path: folder.join(name), kind }).collect())
 }
 
-/// Whether a line of the file begins with `%` and a digit, blanks between them allowed; read piece by piece. Zeros and
-/// byte-order marks are passed over, so that a program in UTF-16 is one too.
+/// Whether the file holds the start of a program.
 ///
 /// # Errors
 /// When it cannot be read.
-pub fn begins_program(path: &Path) -> io::Result<bool> {
-    let mut file = open(path)?;
-    // A program begins early.
-    let mut piece = [0; 1 << 12];
+pub fn is_program(path: &Path) -> io::Result<bool> {
+    begins_program(BufReader::new(open(path)?))
+}
+
+/// Whether a line begins with `%` and a digit, blanks between them allowed. Zeros and byte-order marks are passed over,
+/// so that a program in UTF-16 is one too. Reads no further than there.
+///
+/// # Errors
+/// When the text cannot be read.
+pub fn begins_program(text: impl BufRead) -> io::Result<bool> {
     // Whether a line begins here, and whether `%` was there.
     let (mut begins, mut percent) = (true, false);
-    loop {
-        let length = match file.read(&mut piece) {
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            read => read?,
-        };
-        let read = piece.get(..length).sure();
-        if read.is_empty() {
-            return Ok(false);
-        }
-        for byte in read {
-            match byte {
-                b'0'..=b'9' if percent => return Ok(true),
-                0 => {}
-                0xef | 0xbb | 0xbf | 0xff | 0xfe if begins => {}
-                b' ' | b'\t' if percent || begins => {}
-                b'\r' | b'\n' => (begins, percent) = (true, false),
-                b'%' if begins => (begins, percent) = (false, true),
-                _ => (begins, percent) = (false, false),
-            }
+    for byte in text.bytes() {
+        match byte? {
+            b'0'..=b'9' if percent => return Ok(true),
+            0 => {}
+            0xef | 0xbb | 0xbf | 0xff | 0xfe if begins => {}
+            b' ' | b'\t' if percent || begins => {}
+            b'\r' | b'\n' => (begins, percent) = (true, false),
+            b'%' if begins => (begins, percent) = (false, true),
+            _ => (begins, percent) = (false, false),
         }
     }
+    Ok(false)
 }
 
 /// Why there is no file: names a link that leads nowhere, or round in a circle.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::disk::{begins_program, canonical, entries, is_stdin};
+use crate::disk::{self, canonical, entries, is_stdin};
 use crate::session::Session;
 use crate::text::{BrokenLink, path_name};
 
@@ -173,7 +173,7 @@ impl Search {
 /// Whether the file is a macrocycle by its name, or holds the start of a program. What cannot be read is left to those
 /// who say why.
 fn is_program(path: &Path) -> bool {
-    Session::is_macrocycle_name(path) || begins_program(path).unwrap_or(true)
+    Session::is_macrocycle_name(path) || disk::is_program(path).unwrap_or(true)
 }
 
 fn has_extension(path: &Path, extensions: &[String]) -> bool {

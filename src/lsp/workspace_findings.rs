@@ -16,6 +16,7 @@ use super::snapshot::{Answer, Snapshot};
 use super::workspace_symbols::files;
 use crate::config::Settings;
 use crate::diag::Report;
+use crate::disk::begins_program;
 use crate::query::reach::Reach;
 use crate::session::Session;
 use crate::text::Loader;
@@ -116,8 +117,7 @@ fn look(snapshot: &Snapshot, known: &mut Known) -> bool {
             there.insert(path);
             continue;
         }
-        let mut lines = bytes.split(|byte| matches!(byte, b'\n' | b'\r')).map(<[u8]>::trim_ascii_start);
-        if !lines.any(|line| line.first() == Some(&b'%') && line.get(1).is_some_and(u8::is_ascii_digit)) {
+        if !begins_program(bytes.as_slice()).unwrap_or(false) {
             continue;
         }
         let Some(uri) = snapshot.files.uri_of(&path) else { continue };

@@ -9,6 +9,9 @@ N20 M30
 %2
 N10 X1
 N20 M30
+=== file c.nc
+ % 3
+N10 X1
 === file note.txt
 no program
 === request workspace/diagnostic
@@ -42,6 +45,33 @@ no program
       "resultId": "1",
       "uri": "DIR/a.nc",
       "version": null
+    },
+    {
+      "items": [
+        {
+          "code": "E0205",
+          "codeDescription": {
+            "href": "cnc872c:/explain/en/E0205.md"
+          },
+          "message": "the program has no end: no block holds M02 or M30\nhelp: end the main program with a block of its own: `N… M30`",
+          "range": {
+            "end": {
+              "character": 3,
+              "line": 1
+            },
+            "start": {
+              "character": 0,
+              "line": 1
+            }
+          },
+          "severity": 1,
+          "source": "cnc872c"
+        }
+      ],
+      "kind": "full",
+      "resultId": "3",
+      "uri": "DIR/c.nc",
+      "version": null
     }
   ]
 }
@@ -54,6 +84,33 @@ N20 M30
 === answer
 {
   "items": [
+    {
+      "items": [
+        {
+          "code": "E0205",
+          "codeDescription": {
+            "href": "cnc872c:/explain/en/E0205.md"
+          },
+          "message": "the program has no end: no block holds M02 or M30\nhelp: end the main program with a block of its own: `N… M30`",
+          "range": {
+            "end": {
+              "character": 3,
+              "line": 1
+            },
+            "start": {
+              "character": 0,
+              "line": 1
+            }
+          },
+          "severity": 1,
+          "source": "cnc872c"
+        }
+      ],
+      "kind": "full",
+      "resultId": "3",
+      "uri": "DIR/c.nc",
+      "version": null
+    },
     {
       "items": [],
       "kind": "full",
