@@ -2,12 +2,12 @@
 
 use std::collections::{BTreeMap, HashSet};
 use std::fs::{self, File, FileType};
-use std::io::{self, BufRead, BufReader, Read, Seek};
+use std::io::{self, BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use crate::text::{BrokenLink, Loader, Numbered};
+use crate::text::{BrokenLink, Loader, Numbered, begins_program};
 
 /// The name of standard input among programs.
 pub const STDIN: &str = "-";
@@ -183,28 +183,6 @@ pub fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
 /// When it cannot be read.
 pub fn is_program(path: &Path) -> io::Result<bool> {
     begins_program(BufReader::new(open(path)?))
-}
-
-/// Whether a line begins with `%` and a digit, blanks between them allowed. Zeros and byte-order marks are passed over,
-/// so that a program in UTF-16 is one too. Reads no further than there.
-///
-/// # Errors
-/// When the text cannot be read.
-pub fn begins_program(text: impl BufRead) -> io::Result<bool> {
-    // Whether a line begins here, and whether `%` was there.
-    let (mut begins, mut percent) = (true, false);
-    for byte in text.bytes() {
-        match byte? {
-            b'0'..=b'9' if percent => return Ok(true),
-            0 => {}
-            0xef | 0xbb | 0xbf | 0xff | 0xfe if begins => {}
-            b' ' | b'\t' if percent || begins => {}
-            b'\r' | b'\n' => (begins, percent) = (true, false),
-            b'%' if begins => (begins, percent) = (false, true),
-            _ => (begins, percent) = (false, false),
-        }
-    }
-    Ok(false)
 }
 
 /// Why there is no file: names a link that leads nowhere, or round in a circle.

@@ -16,10 +16,9 @@ use super::snapshot::{Answer, Snapshot};
 use super::workspace_symbols::files;
 use crate::config::Settings;
 use crate::diag::Report;
-use crate::disk::begins_program;
 use crate::query::reach::Reach;
 use crate::session::Session;
-use crate::text::Loader;
+use crate::text::{Loader, begins_program};
 
 /// Most programs that are checked, and the longest of them, in bytes.
 const PROGRAMS: usize = 2_000;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::io;
+use std::io::{self, BufRead};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -235,6 +235,28 @@ impl Loader for Overlay<'_> {
     fn canonical(&self, path: &Path) -> PathBuf {
         self.below.canonical(path)
     }
+}
+
+/// Whether a line begins with `%` and a digit, blanks between them allowed. Zeros and byte-order marks are passed over,
+/// so that a program in UTF-16 is one too. Reads no further than there.
+///
+/// # Errors
+/// When the text cannot be read.
+pub fn begins_program(text: impl BufRead) -> io::Result<bool> {
+    // Whether a line begins here, and whether `%` was there.
+    let (mut begins, mut percent) = (true, false);
+    for byte in text.bytes() {
+        match byte? {
+            b'0'..=b'9' if percent => return Ok(true),
+            0 => {}
+            0xef | 0xbb | 0xbf | 0xff | 0xfe if begins => {}
+            b' ' | b'\t' if percent || begins => {}
+            b'\r' | b'\n' => (begins, percent) = (true, false),
+            b'%' if begins => (begins, percent) = (false, true),
+            _ => (begins, percent) = (false, false),
+        }
+    }
+    Ok(false)
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ pub use columns::ColumnUnit;
 pub use encoding::Encoding;
 pub use last_places::LastPlaces;
 pub use lines::{LineColumn, LineIndex};
-pub use loader::{BrokenLink, Loader, MemoryLoader, NotUtf8, Numbered, Overlay};
+pub use loader::{BrokenLink, Loader, MemoryLoader, NotUtf8, Numbered, Overlay, begins_program};
 pub use path::{has_way_back, last_name, path_name, way_back, without_ways_back};
 pub use source::{DecodeError, FileId, Location, SourceText};
 pub use sources::Sources;
