@@ -138,13 +138,22 @@ impl Heights {
         !block.moves_on() && (block.data().is_some() || Frame::of(block) != self.frame)
     }
 
-    /// Where the tool's axis is while a block works: at the lower end of its motion, which may begin in the air, and
-    /// on the ridge between two such motions. [`UNKNOWN`] when nobody knows.
+    /// Where the tool's axis is while a block works: at the lower end of its motion, which may begin in the air, on the
+    /// ridge between two such motions, and at the top of an arc. [`UNKNOWN`] when nobody knows.
     pub fn works_at(&self, block: &Executed<'_>, before: &State) -> Option<Micro> {
-        let (_, at) = self.axis.filter(|_| block.motion().is_some_and(|motion| is_work(motion.kind())))?;
+        let (axis, at) = self.axis?;
+        let motion = block.motion().filter(|motion| is_work(motion.kind()))?;
         let start = self.start(block, before);
-        let lower = [start, position(block.state(), at)].into_iter().flatten().min();
-        lower.or(Some(UNKNOWN)).max(start.filter(|_| self.works_across && self.is_across(block)))
+        let ends = [start, position(block.state(), at)];
+        let lower = ends.into_iter().flatten().min();
+        let ridge = start.filter(|_| self.works_across && self.is_across(block));
+        // Below both ends, an arc may still be in the air.
+        let beyond = |top: &Micro| ends.into_iter().flatten().all(|end| *top > end);
+        let top = match motion.arc() {
+            Some(arc) if arc.center.is_none() && arc.plane.contains(&axis) => Some(UNKNOWN),
+            _ => motion.extremes().filter(|(of, _)| *of == axis).map(|(_, top)| top).filter(beyond).max(),
+        };
+        lower.or(Some(UNKNOWN)).max(ridge).max(top)
     }
 
     /// Whether a block works along other axes than the tool's.

@@ -294,6 +294,26 @@ impl<'r> Motion<'r> {
         })
     }
 
+    /// The points of an arc where an axis of its plane is farthest from the centre, with that axis and its position;
+    /// none where the arc is not known.
+    pub fn extremes(&self) -> impl Iterator<Item = (AxisLetter, Micro)> + use<> {
+        let extremes = self.arc().and_then(|arc| {
+            let ([u, v], [center_u, center_v], radius) = (arc.plane, arc.center?, arc.radius_mm?);
+            let ([to_u, to_v], sweep) = (arc.to_center?, arc.sweep_deg?.to_f64());
+            let start = libm::atan2(-to_v.to_f64(), -to_u.to_f64()).to_degrees();
+            let turn = if self.kind() == MotionType::ArcCcw { 1.0 } else { -1.0 };
+            let all = [
+                (0.0, u, center_u.plus(radius)),
+                (90.0, v, center_v.plus(radius)),
+                (180.0, u, center_u.minus(radius)),
+                (270.0, v, center_v.minus(radius)),
+            ];
+            let passes = move |angle: f64| ((angle - start) * turn).rem_euclid(360.0) < sweep;
+            Some(all.into_iter().filter(move |(angle, ..)| passes(*angle)).map(|(_, axis, position)| (axis, position)))
+        });
+        extremes.into_iter().flatten()
+    }
+
     /// The axis that is the spindle (M19, MFN-10), when it moves.
     pub fn spindle_axis(&self) -> Option<AxisLetter> {
         let axis = self.moving.spindle?;

@@ -172,6 +172,10 @@ fn unknown_extents() {
     assert_eq!(known(&incremental, "working"), (true, json!([1, 2])));
     let parameter = extents("N1 G90 G0 X0 Y0 S900 M3\nN2 G1 X5 F100\nN3 XR50\nN4 X9\nN5 M30\n");
     assert_eq!(known(&parameter, "working"), (true, json!([3])), "{parameter}");
+    // Behind a change of origin the start is counted from the old one.
+    let origin =
+        extents("N1 G90 G54 G0 X90 Z50 S900 M3\nN2 G1 X80 F100\nN3 G55\nN4 G1 X20 Z0\nN5 X30\nN6 G54 G0 Z70\nN7 M30\n");
+    assert_eq!((known(&origin, "working"), &origin["extents"]["working"]["X"]), ((true, json!([4])), &json!([20, 90])));
     // The approach, from wherever it comes, leaves the extents whole.
     let whole = extents("N1 G90 G0 X0 Y0 Z5 S900 M3\nN2 G1 X5 F100\nN3 M30\n");
     assert_eq!((known(&whole, "working").0, known(&whole, "all").0), (false, false), "{whole}");

@@ -36,6 +36,7 @@ mod plc_cli;
 mod plc_random;
 mod properties;
 mod restart;
+mod restart_lathes;
 mod rewrites;
 mod rules;
 mod run;

@@ -1,7 +1,7 @@
 //! How far motions reach.
 
 use crate::dict::{AxisLetter, Micro};
-use crate::run::{ArcPath, Executed, Motion, MotionType};
+use crate::run::{Executed, Motion, MotionType};
 
 /// How many blocks of unknown reach are named.
 pub const MOST_BLOCKS: usize = 100;
@@ -112,20 +112,20 @@ impl Extents {
     /// Adds the way of the motion of block `n`, from where it is known; its end is missing where nobody knows it.
     pub(super) fn add_motion(&mut self, motion: &Motion<'_>, n: u32) {
         for letter in motion.axes() {
-            let (start, end) = (motion.start(letter), motion.end(letter));
-            if end.is_none() {
+            // Behind a change of origin the start is counted from the old one (MOT-8).
+            let stale = motion.is_stale_along(letter);
+            let (start, end) = (motion.start(letter).filter(|_| !stale), motion.end(letter));
+            if end.is_none() || stale && motion.kind().is_working() {
                 self.lack(letter, n);
             }
             if motion.kind() != MotionType::Reference {
                 [start, end].into_iter().flatten().for_each(|position| self.add(letter, position));
             }
         }
-        if let Some(arc) = motion.arc().filter(|_| motion.kind().is_arc()) {
-            if arc.center.is_none() {
-                arc.plane.into_iter().for_each(|letter| self.lack(letter, n));
-            }
-            self.add_arc(motion, &arc);
+        if let Some(arc) = motion.arc().filter(|arc| arc.center.is_none()) {
+            arc.plane.into_iter().for_each(|letter| self.lack(letter, n));
         }
+        motion.extremes().for_each(|(letter, position)| self.add(letter, position));
     }
 
     /// Adds where the linear axes stand that a working motion leaves alone: a hole is where X and Y stand.
@@ -166,25 +166,5 @@ impl Extents {
 
     fn has_moved(&self, letter: AxisLetter) -> bool {
         self.axes.get(letter as usize).is_some_and(|reach| reach.known.is_some() || reach.lacks)
-    }
-
-    /// The quadrant points that an arc passes.
-    fn add_arc(&mut self, motion: &Motion<'_>, arc: &ArcPath) {
-        let [u, v] = arc.plane;
-        let (Some(center), Some(radius), Some(sweep)) = (arc.center, arc.radius_mm, arc.sweep_deg) else { return };
-        let (Some(from_u), Some(from_v)) = (motion.start(u), motion.start(v)) else { return };
-        let start = libm::atan2(from_v.minus(center[1]).to_f64(), from_u.minus(center[0]).to_f64()).to_degrees();
-        let turn = if motion.kind() == MotionType::ArcCcw { 1.0 } else { -1.0 };
-        let quadrants = [
-            (0.0, u, center[0].plus(radius)),
-            (90.0, v, center[1].plus(radius)),
-            (180.0, u, center[0].minus(radius)),
-            (270.0, v, center[1].minus(radius)),
-        ];
-        for (angle, letter, position) in quadrants {
-            if ((angle - start) * turn).rem_euclid(360.0) < sweep.to_f64() {
-                self.add(letter, position);
-            }
-        }
     }
 }
