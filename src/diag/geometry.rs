@@ -1,5 +1,7 @@
 //! What findings about arcs, planes and the spindle name, in both languages.
 
+use std::fmt;
+
 use crate::dict::{Lang, bilingual};
 
 bilingual! {
@@ -9,18 +11,34 @@ bilingual! {
             "correct `I` and `J`, or the end point; `I` and `J` are distances from the start, not coordinates of the \
             centre",
             "opravit I a J, nebo koncový bod; I a J jsou vzdálenosti od začátku oblouku, ne souřadnice středu";
-        Coordinates { words: String }
+        Coordinates { words: Centers }
             "`I` and `J` fit as coordinates of the centre, but they are distances from the start: write `{words}`",
             "I a J vyhovují jako souřadnice středu, jsou to ale vzdálenosti od začátku oblouku: napsat „{words}“";
-        Exchanged { words: String }
+        Exchanged { words: Centers }
             "`I` and `J` fit when exchanged: write `{words}`",
             "I a J vyhovují, když se vymění: napsat „{words}“";
+        Several { words: Centers }
+            "`I` and `J` fit in more than one way: write what is meant, {words}",
+            "I a J lze opravit více způsoby: napsat ten, který je záměrem: {words}";
         Distances
             "the arc fits if its end is a distance: if that is meant, write G91 (G90 is in force)",
             "oblouk by vyhověl s koncem zadaným přírůstkově; je-li to záměr, napsat G91 (platí G90)";
         Positions
             "the arc fits if its end is a position: if that is meant, write G90 (G91 is in force)",
             "oblouk by vyhověl s koncem zadaným absolutně; je-li to záměr, napsat G90 (platí G91)";
+    }
+}
+
+/// I and J that fit, each pair for itself.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct Centers(pub Vec<[String; 2]>);
+
+impl fmt::Display for Centers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (at, [i, j]) in self.0.iter().enumerate() {
+            write!(f, "{}I{i} J{j}", if at == 0 { "" } else { " / " })?;
+        }
+        Ok(())
     }
 }
 
@@ -88,7 +106,7 @@ impl ArcPoints {
             Lang::En => "; which axis `I` belongs to is `arc-centers` in the project file",
             Lang::Cs => "; ke které ose patří I, určuje arc-centers v projektovém souboru",
         };
-        let other = matches!(meant, ArcMeant::Exchanged { .. }) && self.axes != ['X', 'Y'];
+        let other = matches!(meant, ArcMeant::Exchanged { .. } | ArcMeant::Several { .. }) && self.axes != ['X', 'Y'];
         format!("{}{}", meant.text(lang), if other { configured } else { "" })
     }
 

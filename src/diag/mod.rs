@@ -31,7 +31,7 @@ pub use details::{
 pub use details::{ConditionProblem, RunTimeReason, SignalProblem};
 pub use diagnostic::{CallKind, CallSite, Certain, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_CODE};
-pub use geometry::{ArcMeant, ArcPoints, PlaneFault, SpindleFault};
+pub use geometry::{ArcMeant, ArcPoints, Centers, PlaneFault, SpindleFault};
 pub use labels::{FixTitle, LabelText};
 pub use levels::Levels;
 pub use other_controls::OtherMeaning;

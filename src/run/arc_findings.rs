@@ -9,7 +9,7 @@ use super::state::{Position, State};
 use super::travel::Reading;
 use super::words::{BlockWords, Valued};
 use crate::config::{ArcCenters, Machine};
-use crate::diag::{ArcMeant, ArcPoints, Diagnostic, Edit, Finding, FixTitle, LabelText, PlaneFault};
+use crate::diag::{ArcMeant, ArcPoints, Centers, Diagnostic, Edit, Finding, FixTitle, LabelText, PlaneFault};
 use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
 use crate::syntax::{BlockFlags, BlockId, Word};
 use crate::text::Location;
@@ -131,12 +131,12 @@ pub(super) fn radii(
     let letter = |axis: usize| machine.axes.get(axis).map_or(' ', |axis| axis.letter.letter());
     let in_order = |pair: [Micro; 2]| if for_i == named[0] { pair } else { [pair[1], pair[0]] };
     let text = |pair: [Micro; 2]| in_order(pair).map(|value| value.to_string());
-    let diameters = state.modal(GGroup::G10) == Some(GCode::G74)
-        && machine.axes.index(AxisLetter::X).is_some_and(|x| named.contains(&x));
+    let x = machine.axes.index(AxisLetter::X).filter(|_| state.modal(GGroup::G10) == Some(GCode::G74));
+    let diameter = named.iter().position(|axis| Some(*axis) == x);
     // Where the radii nearly agree, a digit of the end or of the centre is wrong.
     let near = (computed.radius - computed.end_radius).abs() < computed.radius / 50.0;
-    let mut meant = if near { ArcMeant::Nothing } else { meant_center(machine, arc, in_order) };
-    if meant == ArcMeant::Nothing && !fits_mirrored(machine, arc) {
+    let mut meant = if near { ArcMeant::Nothing } else { meant_center(machine, arc, diameter, in_order) };
+    if meant == ArcMeant::Nothing && mirrored(machine, arc).is_none() {
         meant = meant_mode(site, state, (words, g), named, arc);
     }
     let other_mode = matches!(meant, ArcMeant::Distances | ArcMeant::Positions);
@@ -149,7 +149,7 @@ pub(super) fn radii(
         start: text(arc.start),
         center: text(computed.center),
         end: text(arc.end),
-        diameters,
+        diameters: diameter.is_some(),
     };
     let finding = Finding::ArcRadiusMismatch {
         start: radius(computed.radius),
@@ -166,23 +166,28 @@ pub(super) fn radii(
 }
 
 /// Offers the words that fit in place of those that are written, when these are numbers.
-fn offer(site: &Site<'_>, words: &BlockWords, diagnostic: Diagnostic) -> Diagnostic {
+fn offer(site: &Site<'_>, words: &BlockWords, mut diagnostic: Diagnostic) -> Diagnostic {
     let Finding::ArcRadiusMismatch { meant, .. } = &diagnostic.finding else { return diagnostic };
-    let (ArcMeant::Coordinates { words: text } | ArcMeant::Exchanged { words: text }) = meant else {
-        return diagnostic;
-    };
-    let text = text.clone();
-    let (i, j) = text.split_once(' ').unwrap_or((&text, ""));
-    let edit = |valued: Valued, text: &str| Edit { at: site.word_place(valued.word), text: text.to_owned() };
-    let edits = match (words.i, words.j) {
-        (Some(one), Some(other)) => vec![edit(one, i), edit(other, j)],
-        (Some(one), None) | (None, Some(one)) => vec![edit(one, &text)],
-        (None, None) => return diagnostic,
+    let pairs = match meant {
+        ArcMeant::Coordinates { words } | ArcMeant::Exchanged { words } | ArcMeant::Several { words } => {
+            words.0.clone()
+        }
+        ArcMeant::Nothing | ArcMeant::Distances | ArcMeant::Positions => return diagnostic,
     };
     if [words.i, words.j].into_iter().flatten().any(|valued| valued.word.is_parametric()) {
         return diagnostic;
     }
-    diagnostic.with_offers(FixTitle::Write { text }, edits)
+    for [i, j] in pairs {
+        let text = format!("I{i} J{j}");
+        let edit = |valued: Valued, text: &str| Edit { at: site.word_place(valued.word), text: text.to_owned() };
+        let edits = match (words.i, words.j) {
+            (Some(one), Some(other)) => vec![edit(one, &format!("I{i}")), edit(other, &format!("J{j}"))],
+            (Some(one), None) | (None, Some(one)) => vec![edit(one, &text)],
+            (None, None) => return diagnostic,
+        };
+        diagnostic = diagnostic.with_offers(FixTitle::Write { text }, edits);
+    }
+    diagnostic
 }
 
 /// Whether the radii of an arc agree (MOT-4).
@@ -190,30 +195,47 @@ fn fits(machine: &Machine, arc: &Arc) -> bool {
     arc::radii_agree(&arc.compute(), Micro::from(machine.limits.arc_tolerance).to_f64())
 }
 
-/// Whether I and J fit as coordinates of the centre, or exchanged.
-fn meant_center(machine: &Machine, arc: &Arc, in_order: impl Fn([Micro; 2]) -> [Micro; 2]) -> ArcMeant {
-    let fits = |to_center: [Micro; 2]| to_center != [Micro::ZERO; 2] && fits(machine, &Arc { to_center, ..*arc });
-    let words = |to_center: [Micro; 2]| {
-        let [i, j] = in_order(to_center);
-        format!("I{i} J{j}")
-    };
+/// Whether I and J fit as coordinates of the centre, as the program writes them (`diameter`: X is one), or exchanged.
+fn meant_center(
+    machine: &Machine,
+    arc: &Arc,
+    diameter: Option<usize>,
+    in_order: impl Fn([Micro; 2]) -> [Micro; 2],
+) -> ArcMeant {
+    let fits = |to_center: &[Micro; 2]| *to_center != [Micro::ZERO; 2] && fits_about(machine, arc, *to_center);
     let [u, v] = arc.to_center;
-    let (absolute, exchanged) = ([u.minus(arc.start[0]), v.minus(arc.start[1])], [v, u]);
-    if fits(absolute) {
-        ArcMeant::Coordinates { words: words(absolute) }
-    } else if fits(exchanged) {
-        ArcMeant::Exchanged { words: words(exchanged) }
-    } else {
-        ArcMeant::Nothing
+    let mut absolute = vec![[u.minus(arc.start[0]), v.minus(arc.start[1])]];
+    absolute.extend(diameter.map(|x| {
+        let half = |at: usize, value: Micro| if x == at { value.half() } else { value };
+        [half(0, u).minus(arc.start[0]), half(1, v).minus(arc.start[1])]
+    }));
+    absolute.retain(fits);
+    let exchanged: Vec<_> = [[v, u]].into_iter().filter(fits).collect();
+    let centers = |pairs: Vec<[Micro; 2]>| {
+        Centers(pairs.into_iter().map(|to_center| in_order(to_center).map(|value| value.to_string())).collect())
+    };
+    match (absolute.len(), exchanged.len(), mirrored(machine, arc)) {
+        (0, 0, _) => ArcMeant::Nothing,
+        (1, 0, None) => ArcMeant::Coordinates { words: centers(absolute) },
+        (0, _, None) => ArcMeant::Exchanged { words: centers(exchanged) },
+        (.., mirrored) => {
+            let mut all = [mirrored.into_iter().collect(), absolute, exchanged].concat();
+            all.dedup();
+            ArcMeant::Several { words: centers(all) }
+        }
     }
 }
 
-/// Whether the arc fits with another sign of I or J.
-fn fits_mirrored(machine: &Machine, arc: &Arc) -> bool {
+fn fits_about(machine: &Machine, arc: &Arc, to_center: [Micro; 2]) -> bool {
+    fits(machine, &Arc { to_center, ..*arc })
+}
+
+/// The way to the centre with another sign of I or J with which the arc fits.
+fn mirrored(machine: &Machine, arc: &Arc) -> Option<[Micro; 2]> {
     let [u, v] = arc.to_center;
     let minus = |value: Micro| Micro::ZERO.minus(value);
     let mirrored = [[minus(u), v], [u, minus(v)], [minus(u), minus(v)]];
-    mirrored.into_iter().any(|to_center| to_center != arc.to_center && fits(machine, &Arc { to_center, ..*arc }))
+    mirrored.into_iter().find(|to_center| *to_center != arc.to_center && fits_about(machine, arc, *to_center))
 }
 
 /// Whether the arc fits under the other of G90 and G91.

@@ -144,3 +144,18 @@ fn origins_of_other_controls() {
     let cs = ["G92 s funkcí G54 až G59", "X, Y a Z v tomto bloku jsou pohyb"];
     assert_advice(Code::W0402, &Case { blocks, en: &en, cs: &cs, ..Case::default() });
 }
+
+/// E0603: I and J that fit in several ways are all named; under G74 a coordinate of X may be a diameter.
+#[test]
+fn centers_of_arcs() {
+    let arc = "N20 G01 X50 Y50 F300\nN30 G02 ";
+    for (blocks, words) in [
+        (format!("{arc}X66 Y58 I60 J50\n"), "I10 J0"),
+        (format!("{arc}X60 Y40 I-10 J0\n"), "I10 J0 / I0 J-10"),
+        (format!("{arc}X64 Y50 I2 J7\n"), "I7 J2"),
+        ("N20 G74 G01 X24 Y0 F300\nN30 G03 X30 Y-3 I24 J-3\n".to_owned(), "I0 J-3"),
+    ] {
+        let case = Case { blocks: &blocks, en: &[words], cs: &[words], ..Case::default() };
+        assert_advice(Code::E0603, &case);
+    }
+}

@@ -1,0 +1,10 @@
+%1 "I s opacnym znamenkem"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 G1 X50 Y50
+N60 G2 X60 Y40 I-10 J0
+"              ^^^^ E0603
+N80 G0 Z50
+N90 M30
