@@ -172,7 +172,7 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
             true => Finding::StrayText { text: shown(text), meant: TextMeant::OpenQuote { text: shown(text) } },
             false => Finding::UnknownCharacter { text: shown(text), meant: Meant::OpenQuote { text: shown(text) } },
         };
-        (finding, span.start)
+        (finding, behind_gap(around, span.start))
     };
     let found = around.diagnostic(span, finding);
     let quote = "\"".to_owned();
@@ -184,6 +184,17 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
         None => found.with_offer(FixTitle::Insert { text: quote }, around.place(Span::empty(missing)), "\""),
     };
     Some((found, off()))
+}
+
+/// Blanks in a row that set a comment apart from words.
+const GAP: &str = "   ";
+
+/// Where a comment begins whose text is at `at`: behind a gap in the line, `X5      D45 roughing"`, else there.
+fn behind_gap(around: &Around<'_>, at: u32) -> u32 {
+    let before = around.text.get(..at as usize).sure();
+    let line = before.rsplit(['\r', '\n']).next().sure();
+    let gap = line.rfind(GAP).filter(|gap| !line.get(..*gap).sure().trim_start().is_empty());
+    gap.map_or(at, |gap| at - small(line.get(gap..).sure().trim_start().len()))
 }
 
 /// The name of a unit behind a number: `F300mm/min`.
@@ -220,7 +231,13 @@ pub(in crate::syntax) fn statement_end(bytes: &[u8], token: Token) -> Option<u32
         return None;
     }
     let rest = bytes.get(token.start as usize..)?;
-    if let Some(length) = before_lone_quote(rest, token.kind) {
+    let before = bytes.get(..token.start as usize).sure().last().copied().unwrap_or(b' ');
+    let value = before == b'=' || token.kind == Kind::Equals && before.is_ascii_digit();
+    let parameter = matches!(rest, [b'A'..=b'Z', b'R', digit, ..] if digit.is_ascii_digit());
+    if !value
+        && !parameter
+        && let Some(length) = before_lone_quote(rest, token.kind)
+    {
         return Some(token.start + small(length));
     }
     let begins = rest.first()?.is_ascii_alphabetic();
