@@ -303,9 +303,9 @@ fn of_word(file: &ParsedFile, at: Span, finding: &Finding) -> Option<Vec<Fix>> {
     } else if let Finding::SignNotAllowed { key, .. } = finding {
         let number = file.source.slice(at).trim_start_matches(['+', '-', ' ', '\t']);
         let title = FixTitle::Write { text: format!("{}{number}", letter()) };
-        // Of functions, and of 0, it is not sure enough that the number is right.
+        // Of functions, and of 0, it is not sure enough that the number is right; a minus may be that of another letter.
         let meant = number.bytes().all(|byte| byte.is_ascii_digit()) && number.bytes().any(|byte| byte != b'0');
-        let function = matches!(word.address, Address::G | Address::M);
+        let function = matches!(word.address, Address::G | Address::M) || file.source.slice(at).starts_with('-');
         let digit = (!key.is_empty()).then(|| write(file, word.span(text), key.clone()));
         (meant && !function)
             .then(|| offer(title, file, at, number).into_iter().chain(digit.into_iter().flatten()).collect())

@@ -76,7 +76,7 @@ fn what_is_offered() {
         ),
         (Code::E0406, "%1\nN10 G0 X1\nN20 G73 L11 Q2\nN30 M30\n", "write `G73 L10`", "G73 L10 Q2\n"),
         (Code::E0304, "%1\nN10 G0. X1\nN20 M30\n", "write `G0`", "N10 G0 X1\n"),
-        (Code::E0305, "%1\nN10 S-500 M03\nN20 M30\n", "write `S500`", "N10 S500 M03\n"),
+        (Code::E0305, "%1\nN10 S+500 M03\nN20 M30\n", "write `S500`", "N10 S500 M03\n"),
         (Code::E0205, "%1\nN10 G0 X1\n", "insert `N20 M30`", "N10 G0 X1\nN20 M30\n"),
         (
             Code::E0207,
@@ -191,13 +191,13 @@ fn what_a_fix_would_guess() {
 /// Where a slip may have been one of several, each reading is offered, and none that its address does not take.
 #[test]
 fn several_readings() {
-    let cases: [(&str, &[&str]); 42] = [
+    let cases: [(&str, &[&str]); 50] = [
         ("F1 50X3", &["write `F150`"]),
         ("G0X41. 5Z2", &["write `Z52`", "write `X41.5`"]),
         ("T1 2M6", &["write `M26`", "write `T12`"]),
-        ("Z2 5D12", &["write `Z25`"]),
+        ("Z2 5D12", &["write `Z2.5`", "write `Z25`"]),
         ("S14 80M03", &["write `M80`", "write `S1480`"]),
-        ("X-31Y5 5", &["write `Z5`", "write `Y55`"]),
+        ("X-31Y5 5", &["write `Z5`", "write `Y5.5`", "write `Y55`"]),
         ("S1 780 M03", &["write `S1780`"]),
         ("X45 10.5", &["write `Y10.5`", "write `X4510.5`"]),
         ("5.000 D1", &[]),
@@ -234,6 +234,14 @@ fn several_readings() {
         ("G2 X10.05 Y10 I0 J10", &[]),
         ("G2 X20 Y0 I0 J10", &["write `I10 J0`"]),
         ("G0\n50 Z-2", &["write `N50`"]),
+        ("Z50 0M9", &["write `M09`", "write `Z50.0`", "write `Z500`"]),
+        ("T5 0M6", &["write `M06`", "write `T50`"]),
+        ("Z100 09", &["write `M09`", "write `Z100.09`", "write `Z10009`"]),
+        ("X1 00", &["write `X1.00`", "write `X100`"]),
+        ("G95 Z-3 F0 12", &["write `F0.12`"]),
+        ("Y0 3", &["write `Z3`", "write `Y0.3`"]),
+        ("S-500", &[]),
+        ("G71 L10 3x", &["write `Q3`"]),
     ];
     for (slip, wanted) in cases {
         let program = format!("%1\nN20 T1 M06 D1\nN30 G00 X0 Y0 Z5 F100 S500 M03\nN40 {slip}\nN90 M30\n");

@@ -43,11 +43,9 @@ impl<'t> Split<'t> {
         let zeros = self.text.len() > 1 && self.text.starts_with('0') && !self.text.starts_with("0.");
         let speed = self.address == Address::S && self.text == "00";
         let function = matches!(self.address, Address::G | Address::M | Address::N | Address::T | Address::S);
+        let function = self.text.len() == 2 && (function || self.text != "00");
         let digits = self.address == Address::D && self.text.len() == CORRECTION_DIGITS;
-        self.number.ends_with('.')
-            || self.text.starts_with('.')
-            || speed
-            || (zeros && !digits && !(function && self.text.len() == 2))
+        self.number.ends_with('.') || self.text.starts_with('.') || speed || (zeros && !digits && !function)
     }
 
     /// Two digits that are those of one function: `M0 3`.
@@ -128,11 +126,16 @@ pub(super) fn exchanged_address(around: &Around<'_>) -> Option<Diagnosis> {
         return None;
     }
     // `G0 2X10`, `Y4 0I15`: it goes on with the number before it.
-    if split.is_function() || split.text.starts_with('0') && rest.starts_with(|first: char| first.is_ascii_digit()) {
+    // `Z50 0M9`: a function has two digits.
+    let zero = split.text.starts_with('0') && rest.starts_with(|first: char| first.is_ascii_digit());
+    if split.is_function() || zero && !matches!(address, Address::G | Address::M) {
         return None;
     }
     // `N18 0G71`: a function has two digits already. `F1 50X3`: one slip exchanges two characters.
     let exchanged = format!("{}{rest}", split.text);
+    // `G71 L10 3x`: how often.
+    let flow = split.address == Address::L && around.functions().any(GCode::takes_l) && !around.has(Address::Q);
+    let address = if flow && address == Address::X && rest.is_empty() { Address::Q } else { address };
     let takes = |number| around.may_mean(address, next.start, number);
     if matches!(address, Address::G | Address::M) && exchanged.len() > 2
         || !rest.is_empty() && split.text.len() > 1
@@ -248,11 +251,11 @@ fn missing(around: &Around<'_>, split: &Split<'_>) -> Option<Address> {
                 first_axis.filter(|_| code.group() == GGroup::G0)
             }
         }
+        address if address.is_dimensional() && two && split.text.starts_with('0') => Some(Address::M),
         Address::M if !two => wanted(plain && !has(Address::S), Address::S),
         Address::M => Some(Address::M),
         Address::T | Address::S if two => Some(Address::M),
         Address::T if split.text == "6" => Some(Address::M),
-        Address::F if two && split.text.starts_with('0') => Some(Address::M),
         Address::L => wanted(plain && !has(Address::Q), Address::Q),
         Address::D => {
             let digits = plain && split.text.len() == CORRECTION_DIGITS;

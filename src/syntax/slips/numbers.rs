@@ -94,7 +94,7 @@ impl Broken<'_> {
         let number = Number::parse(fixed.as_bytes());
         let fixed = format!("{prefix}{fixed}");
         let has_digit = fixed.bytes().any(|byte| byte.is_ascii_digit() && !prefix.as_bytes().contains(&byte));
-        let mut without = None;
+        let (mut without, mut pointed) = (None, None);
         let (certain, finding) = match number {
             Some(number) if joined.contains(',') => return self.with_comma(around, number, &joined, fixed),
             Some(_) if joined.bytes().any(|letter| look_alike(letter).is_some()) => {
@@ -113,7 +113,10 @@ impl Broken<'_> {
                 // `R29 - 12`: perhaps `=` was meant, `R3+ 40.2`: perhaps another digit.
                 let written = address != Address::R || around.slice(span).contains('=');
                 let certain = matches!(run, "+" | "-") && only && written && address.is_dimensional();
-                (certain.then_some(Certain::BlankBehindSign), split(shown(&fixed)))
+                pointed = self.with_point(around);
+                let all = [pointed.clone(), Some(fixed.clone()).filter(|_| !self.is_zero() || pointed.is_none())];
+                let all: Vec<String> = all.into_iter().flatten().map(|text| shown(&text)).collect();
+                (certain.then_some(Certain::BlankBehindSign), split(all.join(" / ")))
             }
             None if has_digit || joined.len() > 2 => {
                 return (None, Some(around.malformed(span, printed(&joined, prefix))));
@@ -137,7 +140,11 @@ impl Broken<'_> {
             Finding::SplitNumber { joined: String::new(), loose, written: String::new() }
         };
         let mut found = around.diagnostic(span, finding);
-        if fits {
+        let is_pointed = pointed.is_some();
+        if let Some(pointed) = pointed.filter(|_| fits) {
+            found = found.with_offer(write(&pointed), around.place(span), pointed);
+        }
+        if fits && !(is_pointed && self.is_zero()) {
             let edits = vec![Edit { at: around.place(span), text: fixed.clone() }];
             found = found.with_edits(certain, write(&fixed), edits);
         }
@@ -145,6 +152,24 @@ impl Broken<'_> {
             found = found.with_offer(write(&without), around.place(span), without);
         }
         (number.filter(|_| certain.is_some()), Some(found))
+    }
+
+    /// The number with a point in place of its blank, `X33 5`, when its address takes that.
+    fn with_point(&self, around: &Around<'_>) -> Option<String> {
+        let Self { address, prefix, run, pieces, span } = *self;
+        let [piece] = pieces else { return None };
+        let behind = around.slice(piece.span());
+        let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        let whole = is_digits(run.trim_start_matches(['+', '-'])) && is_digits(behind);
+        let text = format!("{run}.{behind}");
+        let number = Number::parse(text.as_bytes()).filter(|_| whole)?;
+        let takes = address.is_dimensional() && (address != Address::F || self.is_zero());
+        (takes && around.may_mean(address, span.start, number)).then(|| format!("{prefix}{text}"))
+    }
+
+    /// Whether its first piece is 0: no number goes on behind that without a point.
+    fn is_zero(&self) -> bool {
+        self.run.trim_start_matches(['+', '-']) == "0"
     }
 
     /// Whether an address and letters, `XO`, are no word of a comment that lost a quote: `to`, `CO`, `Al`.
