@@ -94,6 +94,12 @@ pub(super) fn word_before(file: &ParsedFile, block: BlockId) -> Option<Word> {
     (lines.line_at(last.span(text).end) == lines.line_at(n.start())).then_some(last)
 }
 
+/// Whether a block is written twice, one behind the other, with its number (E0204).
+pub(super) fn is_doubled(parsed: &ParsedFile, block: BlockId) -> bool {
+    let next = block.next();
+    next.0 < parsed.block_count() && parsed.number(block) == parsed.number(next) && is_copy(parsed, block, next)
+}
+
 /// Whether two blocks have the same words.
 fn is_copy(parsed: &ParsedFile, one: BlockId, other: BlockId) -> bool {
     let text = parsed.source.text();

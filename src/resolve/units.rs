@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use super::functions::m_number;
 use super::holes::{may_have_end, may_hold};
 use super::load::Context;
+use super::numbers::is_doubled;
 use super::open_ends::Stray;
 use super::star::Star;
 use super::{Resolved, Unit, UnitId, UnitKind, l_number};
@@ -98,7 +99,14 @@ impl Context<'_, '_> {
         let mut count = 0;
         while block < parsed.program_end() {
             let flags = parsed.flags(block);
-            if flags.has(BlockFlags::ENTRY) {
+            let entry = flags.has(BlockFlags::ENTRY);
+            let again = block.0.checked_sub(1).is_some_and(|before| is_doubled(parsed, BlockId(before)));
+            // One of two such blocks is too many.
+            if entry && is_doubled(parsed, block) || !entry && !stray && again {
+                block = block.next();
+                continue;
+            }
+            if entry {
                 stray = false;
                 count += 1;
                 if count == SUBPROGRAMS + 1 {

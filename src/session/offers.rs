@@ -141,11 +141,15 @@ impl Offers<'_> {
                 return None;
             }
             let before = block.0.checked_sub(1).map(BlockId)?;
-            let free = self.free_behind(file, before)?;
+            // A second end or beginning of a unit is wrong under any number.
+            let flags = file.flags(block);
+            let bounds = [BlockFlags::ENTRY, BlockFlags::END].into_iter().any(|flag| flags.has(flag)) && copied;
+            let free = self.free_behind(file, before).filter(|_| !bounds);
+            let renumber = free.map(|free| write(file, at, format!("N{free}")));
             let whole = || whole_lines(file.source.text(), Span::new(at.start, words_end(file, block)));
             let copy = if copied { whole() } else { None };
             let delete = copy.map(|copy| offer(FixTitle::DeleteBlock { block: number }, file, copy, ""));
-            return Some(delete.into_iter().flatten().chain(write(file, at, format!("N{free}"))).collect());
+            return Some(delete.into_iter().chain(renumber).flatten().collect());
         }
         if let Finding::MacrocycleNumberMismatch { expected, found, .. } = found.finding {
             let ends = || file.block_ids().any(|block| file.flags(block).has(BlockFlags::RETURN));

@@ -1,0 +1,13 @@
+%1 "radky dvakrat: konec a zacatek podprogramu"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3 F200
+N40 G71 L50
+N45 M30
+N45 M30
+"@ 7:1-7:4 E0204
+N50 G79 L50
+N50 G79 L50
+"@ 10:1-10:4 E0204
+N60 G1 Z-2
+N70 G70
