@@ -58,7 +58,7 @@ impl<'o> Many<'o> {
             }
             found.targets
         };
-        found.retain(|target| search.macrocycles || !Session::is_macrocycle_name(&target.path));
+        found.retain(|target| search.macrocycles || !Session::is_macrocycle(&target.path, &setup.files));
         for target in &found {
             setup.folder(target.folder());
         }

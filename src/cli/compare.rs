@@ -179,7 +179,7 @@ fn programs(folder: &Path, overrides: &Overrides) -> BTreeSet<PathBuf> {
     let mut projects = Projects::default();
     let found = targets(&[folder.to_path_buf()], &mut |folder| projects.extensions(folder, origins));
     let inside = |path: PathBuf| path.strip_prefix(folder).map(Path::to_path_buf).unwrap_or(path);
-    let programs = found.targets.into_iter().filter(|target| !Session::is_macrocycle_name(&target.path));
+    let programs = found.targets.into_iter().filter(|target| !Session::is_macrocycle(&target.path, &loader));
     programs.map(|target| inside(target.path)).collect()
 }
 

@@ -1,7 +1,7 @@
 //! `stats`: one row of facts a program.
 
 use std::io::{self, BufWriter, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
@@ -43,18 +43,14 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
     let found = targets(&args.paths, &mut |folder| projects.extensions(folder, origins));
     tell_unsearched(&found, locale);
     let mut targets = found.targets;
-    targets.retain(|target| !Session::is_macrocycle_name(&target.path));
+    targets.retain(|target| !Session::is_macrocycle(&target.path, &loader));
     projects.configure(&targets, origins)?;
     let mut report = projects.report();
     let shown = FindingsArgs { format: Format::Human, all: false };
     if report.errors() > 0 {
         return Ok(unusable(report, &shown, locale));
     }
-    if let Some(output) = output
-        && targets.par_iter().any(|target| is_input(output, target, &loader))
-    {
-        return Err(Words::OutputIsRead { file: path_name(output) }.into());
-    }
+    refuse_input(output.filter(|output| targets.par_iter().any(|target| is_input(output, target, &loader))))?;
     let cache = args.cache.as_deref().map(|folder| {
         clean_up_when_interrupted(locale.lang);
         Cache::open(folder).map_err(|error| cannot_write(error, Some(folder), locale.lang))
@@ -68,6 +64,8 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
     let progress = Progress::start(Counted::Files(targets.len() as u64), output.is_none(), locale.lang);
     let written = write(&archive, &targets, args.format, &mut stream, &progress, &mut report);
     drop(progress);
+    // Macrocycles are read with the programs.
+    refuse_input(output.filter(|output| loader.has_read(output)))?;
     written.and_then(|()| stream.keep()).map_err(|error| cannot_write(error, output, locale.lang))?;
     if let Some((folder, error)) = args.cache.as_deref().zip(cache.and_then(Cache::into_fault)) {
         return Err(Words::cannot_write(folder, &error, locale.lang).into());
@@ -77,6 +75,11 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
     }
     print_beside(&shown, &report, locale);
     Ok(Status::Fine)
+}
+
+/// Refuses an output that is one of the files read.
+fn refuse_input(output: Option<&Path>) -> Result<(), Failure> {
+    output.map_or(Ok(()), |output| Err(Words::OutputIsRead { file: path_name(output) }.into()))
 }
 
 /// What rows are made from.

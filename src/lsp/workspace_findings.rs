@@ -102,7 +102,7 @@ fn look(snapshot: &Snapshot, known: &mut Known) -> bool {
         }
         let path = snapshot.files.canonical(&path);
         let open = snapshot.files.open().contains_key(&path);
-        if open || there.len() >= PROGRAMS || there.contains(&path) || Session::is_macrocycle_name(&path) {
+        if open || there.len() >= PROGRAMS || there.contains(&path) || Session::is_macrocycle(&path, &snapshot.files) {
             continue;
         }
         if snapshot.files.size(&path).is_none_or(|size| size > LONGEST) {

@@ -18,7 +18,7 @@ use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem, Rep
 use crate::resolve::{Library, Resolved, is_program, report_misnamed, resolve};
 use crate::run::{End, Interpreter, Sink};
 use crate::stream;
-use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
+use crate::text::{Encoding, FileId, Loader, Location, SourceText, Sources, Span};
 pub use execution::Execution;
 use execution::PROGRESS;
 pub use record::Record;
@@ -234,6 +234,12 @@ impl<'a> Session<'a> {
     /// `.TXT`, in either case (PRG-6).
     pub fn is_macrocycle_name(path: &Path) -> bool {
         Library::number(path).is_some()
+    }
+
+    /// Whether a file is a macrocycle: named as one, and no program (PRG-6). One that cannot be read goes by its name.
+    pub fn is_macrocycle(path: &Path, loader: &dyn Loader) -> bool {
+        let source = || loader.load(path, "", Encoding::default());
+        Self::is_macrocycle_name(path) && !source().is_ok_and(|source| is_program(&source))
     }
 
     /// Whether the caller wants more after so many blocks, who is asked after each [`PROGRESS`] of them.

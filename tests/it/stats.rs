@@ -114,3 +114,32 @@ fn a_killed_run_leaves_a_good_cache() {
     assert_eq!(cached.stderr, "", "nothing is damaged");
     assert_eq!(cached.stdout, place.run(&["stats", "in", "--format", "csv"]).ends(0).stdout);
 }
+
+/// A table takes the place of no file that the run reads, macrocycles included. A program whose file is named as a
+/// macrocycle is one (PRG-6).
+#[test]
+fn macrocycles_and_their_names() {
+    let files: [(&str, &[u8]); 3] = [
+        ("a.nc", b"%1\nN1 G72 L7\nN2 M30\n"),
+        ("L7", b"N10 G79 L7\nN20 G70\n"),
+        ("L12.nc", b"%4\nN1 G90 G00 X1\nN2 M30\n"),
+    ];
+    let place = Place::with(&files);
+    for arguments in [&["a.nc"][..], &["."], &["a.nc", "--cache", "c"], &["a.nc", "--cache", "c"]] {
+        let run = place.run(&[&["stats", "-o", "L7"], arguments].concat()).ends(2);
+        assert!(run.stderr.contains("L7"), "{run:?}");
+        assert_eq!(place.read("L7"), files[1].1);
+    }
+    let names = |path: &str| -> Vec<String> {
+        let rows = programs(&place.run(&["stats", path, "--format", "json"]).ends(0).stdout);
+        rows.iter().map(|row| row["path"].as_str().unwrap().trim_start_matches("./").to_owned()).collect()
+    };
+    assert_eq!(
+        (names("L12.nc"), names(".")),
+        (vec!["L12.nc".to_owned()], vec!["L12.nc".to_owned(), "a.nc".to_owned()])
+    );
+    place.put("new/L12.nc", "%4\nN1 G90 G00 X2\nN2 M30\n");
+    place.put("new/L7", "N10 G79 L7\nN20 G70\n");
+    place.put("old/L12.nc", "%4\nN1 G90 G00 X1\nN2 M30\n");
+    assert!(place.run(&["compare", "old", "new", "--lang", "en"]).ends(1).stdout.contains("L12.nc"));
+}
