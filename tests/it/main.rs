@@ -15,6 +15,7 @@ mod cli_rewrite;
 mod cli_view;
 mod cli_walk;
 mod compare;
+mod compare_unknown;
 mod dialects;
 mod disk;
 mod docs;

@@ -8,7 +8,7 @@ use super::steps::{Context, Event, Motion, Steps, UNKNOWN, Value};
 use super::unknown::{Unknowns, as_written, is_unclear};
 use crate::diag::Findings;
 use crate::dict::{
-    AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
+    Address, AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
     PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
     standard_m_functions,
 };
@@ -181,7 +181,8 @@ impl StepReader {
             let turns = number == ORIENTED_STOP && block.m_changed().contains(&group_of(number));
             let repeats = stays && !turns && before.m.get(group).copied().flatten() == Some(number);
             if number == TOOL_CHANGE {
-                let tool = block.tool().map_or_else(|| Value::Text(String::new()), Value::from);
+                let unknown = || Value::Text(self.unknowns.told(Address::T).to_owned());
+                let tool = block.tool().map_or_else(unknown, Value::from);
                 self.lasting(block, ChangeKind::Tool, "M06", tool);
                 continue;
             }
@@ -298,7 +299,7 @@ impl StepReader {
             center.iter().chain(&arc.sweep_deg).for_each(|value| motion.push(value.millionths()));
         }
         let (is_arc, returns) = (moves.arc().is_some(), moves.kind() == MotionType::Reference);
-        if block.moves_on() && motion.values().contains(&UNKNOWN) {
+        if block.moves_on() && (motion.values().contains(&UNKNOWN) || self.unknowns.has_told()) {
             self.read_unknown(block);
         }
         let adds = motion.still != motion.axes || is_arc || returns;

@@ -45,6 +45,16 @@ impl Unknowns {
         }
     }
 
+    /// What the word that is in force of an address comes from; empty where its value is known.
+    pub fn told(&self, address: Address) -> &str {
+        self.told.get(&address).map_or("", String::as_str)
+    }
+
+    /// Whether words without known values are in force.
+    pub fn has_told(&self) -> bool {
+        !self.told.is_empty()
+    }
+
     /// A parameter as a value: known, or what it comes from.
     fn source(&self, block: &Executed<'_>, index: u8, negated: bool) -> String {
         let known = block.parameter(index).map(|value| value.to_string());
@@ -56,19 +66,27 @@ impl Unknowns {
         }
     }
 
-    /// The words of a block whose values are not known, with what these come from; a repetition is none.
+    /// The words of a block whose values are not known, with what these come from; a repetition of what lasts is none.
     pub fn words(&mut self, block: &Executed<'_>) -> Vec<(Address, String)> {
         let returns = block.motion().is_some_and(|motion| motion.kind() == MotionType::Reference);
         let mut found = Vec::new();
         for word in block.source_words().iter().copied().filter(|word| word.address != Address::R) {
-            let WordValue::Parameter { index, negated } = word.value() else { continue };
             let axis = word.address.axis();
-            if block.parameter(index).is_some() || returns && axis.is_some() {
+            let unknown = match word.value() {
+                WordValue::Parameter { index, negated } => Some((index, negated)),
+                WordValue::Number(_) | WordValue::None => None,
+            };
+            let Some((index, negated)) = unknown.filter(|(index, _)| block.parameter(*index).is_none()) else {
+                self.told.remove(&word.address);
+                continue;
+            };
+            if returns && axis.is_some() {
                 continue;
             }
             let mut from = self.source(block, index, negated);
             // The same number goes elsewhere by distance and as a diameter.
-            if axis.is_some() && block.g(GGroup::G9) == Some(GCode::G91) {
+            let by_distance = axis.is_some() && block.g(GGroup::G9) == Some(GCode::G91);
+            if by_distance {
                 from.insert_str(0, "G91 ");
             }
             if axis == Some(AxisLetter::X) && block.g(GGroup::G10) == Some(GCode::G74) {
@@ -79,12 +97,19 @@ impl Unknowns {
             if let Some(unit) = unit {
                 from = format!("{from} {}", unit.name());
             }
-            if self.told.insert(word.address, from.clone()).as_ref() != Some(&from) {
+            let known = self.told.insert(word.address, from.clone());
+            if by_distance || !lasts(word.address) || known.as_ref() != Some(&from) {
                 found.push((word.address, from));
             }
         }
         found
     }
+}
+
+/// Whether the value of a word holds until the next one of its address.
+const fn lasts(address: Address) -> bool {
+    use Address::{Correction, D, F, H, P, S, T};
+    address.axis().is_some() || matches!(address, F | S | T | D | H | P | Correction)
 }
 
 /// Whether nobody knows what the axis words of a block do, because a function of it is not known.
