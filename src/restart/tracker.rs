@@ -276,6 +276,11 @@ impl Tracker {
         if let Some(address) = state.undetermined().next() {
             return Err(Reason::Value { name: address.row().letter.to_owned() });
         }
+        // A group that has a function at power-up has one ever after.
+        let powered = settings.machine.m_power_up.iter().enumerate();
+        if powered.filter(|(_, power_up)| power_up.is_some()).any(|(group, _)| state.m_in_force(group).is_none()) {
+            return Err(Reason::Value { name: Address::M.row().letter.to_owned() });
+        }
         let lathe =
             self.turns || settings.machine.power_up.get(GGroup::G10.index()).copied().flatten() == Some(GCode::G74);
         if lathe && !self.tool_is_named {

@@ -606,3 +606,12 @@ fn functions_beside_each_other() {
     assert_eq!(written, ["M71", "M11", "M72", "M70"], "{all}");
     assert!(!all.contains("not restored"), "{all}");
 }
+
+/// RST-4: after an M whose number is not known no function of its groups is.
+#[test]
+fn functions_that_nobody_knows() {
+    let text = "%1\nN10 G90 G54 G00 X0 Y0 Z50 T1 M06 S100 M03 F100\nN20 MR40\nN30 G01 X5\nN40 G00 X9\nN70 M30\n";
+    started("", text, &["--n=40"]).ends(1).says("the value of M is not known");
+    assert!(!started("", text, &["--list"]).stdout.contains("N40"));
+    started("", text, &["--n=40", "--param=R40=8", "--safe=60"]).ends(0);
+}
