@@ -108,9 +108,13 @@ fn is_copy(parsed: &ParsedFile, one: BlockId, other: BlockId) -> bool {
 }
 
 /// Whether the number of a block lies between those of its neighbours.
-fn rises(parsed: &ParsedFile, block: BlockId) -> bool {
-    let number = parsed.number(block);
+pub(super) fn rises(parsed: &ParsedFile, block: BlockId) -> bool {
+    parsed.number(block).is_none_or(|number| is_between(parsed, block, number))
+}
+
+/// Whether a number lies between those of the neighbours of a block.
+pub(super) fn is_between(parsed: &ParsedFile, block: BlockId, number: u32) -> bool {
     let before = block.0.checked_sub(1).and_then(|before| parsed.number(BlockId(before)));
     let behind = (block.next().0 < parsed.block_count()).then(|| parsed.number(block.next())).flatten();
-    before.is_none_or(|before| Some(before) < number) && behind.is_none_or(|behind| number < Some(behind))
+    before.is_none_or(|before| before < number) && behind.is_none_or(|behind| number < behind)
 }

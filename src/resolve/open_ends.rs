@@ -154,15 +154,20 @@ impl Context<'_, '_> {
     }
 
     /// Calls of one subprogram that is missing are one finding, at the first of them, where the file has a subprogram
-    /// that nothing calls: the number in its G79 is wrong, or all calls were to be written anew.
+    /// that nothing calls: the number in its G79 is wrong, or all calls were to be written anew. So it is of one call
+    /// whose number is that of a block, where one slip makes the other number of it.
     fn report_calls(&mut self, resolved: &Resolved, calls: Vec<(u32, Diagnostic)>) {
         let mut counts: BTreeMap<u32, usize> = BTreeMap::new();
         calls.iter().for_each(|(l, _)| *counts.entry(*l).or_default() += 1);
         let again = |l: u32| counts.get(&l).is_some_and(|count| *count > 1);
-        let uncalled = if counts.values().any(|count| *count > 1) { uncalled(resolved) } else { Vec::new() };
+        let names_block = |call: &Diagnostic| matches!(call.finding, Finding::UnknownSubprogram { block: true, .. });
+        let wanted = calls.iter().any(|(l, call)| again(*l) || names_block(call));
+        let uncalled = if wanted { uncalled(resolved) } else { Vec::new() };
         let mut told = BTreeSet::new();
         for (l, mut call) in calls {
-            let nearest = uncalled.iter().filter(|_| again(l)).min_by_key(|(other, _)| spelling::distance(*other, l));
+            let nearest = uncalled.iter().min_by_key(|(other, _)| spelling::distance(*other, l));
+            let is_slip = |other: u32| names_block(&call) && spelling::distance(other, l).0 == 1;
+            let nearest = nearest.filter(|(other, _)| again(l) || is_slip(*other));
             if let Some((other, unit)) = nearest.and_then(|(other, unit)| Some((*other, resolved.unit(*unit)?))) {
                 if !told.insert(l) {
                     continue;

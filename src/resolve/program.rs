@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::axis_letters::AxisLetters;
 use super::holes::may_have_block;
+use super::numbers::{is_between, rises};
 use super::points::Points;
 use super::spelling;
 use super::star::Star;
@@ -250,6 +251,15 @@ impl Resolved {
         let below = below.iter().rev().find(inside);
         let above = above.iter().find(inside);
         below.into_iter().chain(above).map(|(found, _)| *found).min_by_key(|found| found.abs_diff(number))
+    }
+
+    /// A block of the unit whose number is one slip from `number`, which fits between its neighbours, where its own does
+    /// not.
+    pub(super) fn misnumbered_block(&self, unit: &Unit, number: u32) -> Option<u32> {
+        let file = self.file(unit.file)?;
+        let fits = |at: BlockId| is_between(file, at, number) && !rises(file, at);
+        let wrong = |slip: &u32| self.numbered(unit.file, *slip).is_some_and(|at| unit.contains(at) && fits(at));
+        spelling::slips(number).find(wrong)
     }
 
     pub(super) fn add_unit(&mut self, unit: Unit) -> UnitId {

@@ -81,8 +81,10 @@ pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Kn
         None => {
             let near = resolved.nearest_block(unit, l);
             let subprogram = resolved.subprogram(l).is_some() && !matches!(unit.kind, UnitKind::Macrocycle(_));
-            let near = near.filter(|_| !subprogram);
-            Known::No(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near, line: None, subprogram }, at)))
+            let wrong = resolved.misnumbered_block(unit, l).filter(|_| !subprogram);
+            let near = near.filter(|_| !subprogram && wrong.is_none());
+            let finding = Finding::UnknownJumpTarget { l, near, line: None, subprogram, wrong };
+            Known::No(Box::new(Diagnostic::new(finding, at)))
         }
     }
 }

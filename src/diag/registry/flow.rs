@@ -100,7 +100,7 @@ macro_rules! flow {
             note ({ let searched = crate::diag::terminal_safe(searched); format!("searched: {searched}") })
                | ({ let searched = crate::diag::terminal_safe(searched); format!("hledalo se v: {searched}") })
         [E0406] UnknownJumpTarget "unknown-jump-target" Error {
-            l: u32, near: Option<u32>, line: Option<u32>, subprogram: bool,
+            l: u32, near: Option<u32>, line: Option<u32>, subprogram: bool, wrong: Option<u32>,
         }
             en "there is no block N{l} to jump to"
             cs "blok N{l}, na který se má skočit, neexistuje"
@@ -108,13 +108,17 @@ macro_rules! flow {
                 (Some(line), _) => format!("line {line} begins with {l}, but not with `N`: write `N{l}` there"),
                 (None, Some(n)) => format!("the nearest block of this unit is N{n}: `G73 L{n}`"),
                 (None, None) if *subprogram => format!("L{l} is a subprogram here: call it with `G71 L{l}`"),
-                (None, None) => String::new(),
+                (None, None) => wrong.map_or_else(String::new, |wrong| {
+                    format!("N{wrong} does not fit between its neighbours: if it is meant, write `N{l}` there")
+                }),
             })
                | (match (line, near) {
                    (Some(line), _) => format!("řádek {line} začíná číslem {l} bez N: napsat tam „N{l}“"),
                    (None, Some(n)) => format!("nejbližší blok tohoto celku je N{n}: „G73 L{n}“"),
                    (None, None) if *subprogram => format!("L{l} je zde podprogram: zavolat ho pomocí „G71 L{l}“"),
-                   (None, None) => String::new(),
+                   (None, None) => wrong.map_or_else(String::new, |wrong| {
+                       format!("N{wrong} nezapadá mezi sousední čísla: je-li míněn, napsat tam „N{l}“")
+                   }),
                })
         [E0407] JumpOutOfUnit "jump-out-of-unit" Error { l: u32 }
             en "block N{l} is in another unit of the program"

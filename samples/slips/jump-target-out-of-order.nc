@@ -1,0 +1,11 @@
+%1 "cil skoku ma v cisle cislici navic"
+N10 G54 G90 G94 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S900 M3
+N40 Z2
+N500 G91 G1 X-5 F100
+N60 Y3
+N70 G73 L50 Q2
+"        ^^ E0406
+N80 G90 G0 Z50
+N90 M30
