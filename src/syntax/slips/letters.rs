@@ -4,6 +4,7 @@ use super::functions::arc_in_force;
 use super::{Around, Diagnosis, numbers, without_blanks, write};
 use crate::diag::{Finding, FixTitle, Meant, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, HIGHEST_BLOCK};
+use crate::sure::small;
 use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, Shape, Token};
 use crate::syntax::{Word, grammar};
@@ -145,39 +146,59 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
     })
 }
 
-/// `S150é`, `Xě5`: digits of a Czech keyboard without Shift.
-pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
+/// The digit whose key on a Czech keyboard has that letter, or `+`, without Shift.
+fn digit_of_key(key: char) -> Option<char> {
     const KEYS: &str = "é+ěščřžýáí";
-    let token = around.token();
-    let digit = |key: char| match KEYS.chars().position(|known| known == key) {
-        Some(digit) if !key.is_ascii() => char::from_digit(u32::try_from(digit).ok()?, 10),
-        Some(_) | None => Some(key).filter(|key| key.is_ascii_digit() || *key == '.'),
+    let at = KEYS.chars().position(|known| key.to_lowercase().eq([known]))?;
+    char::from_digit(u32::try_from(at).ok()?, 10)
+}
+
+/// `Xě5`, `N+žé`, `X-áé`: a word whose digits were typed without Shift.
+pub(super) fn czech_word(around: &Around<'_>) -> Option<Diagnosis> {
+    let first = around.token();
+    let address = around.letter(first)?;
+    let text = around.text.get(first.start as usize + 1..)?;
+    let is_key = |key: &char| !key.is_ascii() && digit_of_key(*key).is_some();
+    let of_number = |(at, key): &(usize, char)| {
+        is_key(key) || key.is_ascii_digit() || matches!(key, '.' | ',' | '+') || *at == 0 && *key == '-'
     };
-    // `YřZ1`: without a blank behind it, it looks like text.
-    let keys = around.slice(token.span()).get(1..).filter(|keys| !keys.is_empty());
-    let word = keys.is_some_and(|keys| keys.chars().all(|key| digit(key).is_some()));
-    let text = word && token.kind == Kind::Junk(Shape::Text) && around.address(token).is_some();
-    let garbled = text || token.kind == Kind::Junk(Shape::GarbledWord);
-    let behind = matches!(token.kind, Kind::Junk(Shape::Unknown | Shape::Text))
-        && around.text.get(..token.start as usize)?.ends_with(|last: char| last.is_ascii_digit() || last == '.');
-    if !garbled && !behind {
+    let run: String = text.char_indices().take(LONGEST as usize).take_while(of_number).map(|(_, key)| key).collect();
+    let span = Span::new(first.start, first.start + 1 + small(run.len()));
+    let tokens = around.tokens.iter().skip(around.at).take_while(|token| token.start < span.end);
+    let (tokens, end) = tokens.fold((0, 0), |(count, _), token| (count + 1, token.end));
+    if !run.chars().any(|key| is_key(&key)) || end != span.end {
         return None;
     }
-    let (span, text) = (token.span(), around.slice(token.span()));
-    let (letter, keys) = if garbled { text.split_at_checked(1)? } else { ("", text) };
-    let unsigned = keys.strip_prefix(['+', '-']).filter(|_| garbled).unwrap_or(keys);
-    let sign = keys.strip_suffix(unsigned).unwrap_or_default();
-    let digits = sign.chars().map(Some).chain(unsigned.chars().map(digit)).collect::<Option<String>>()?;
-    let before = if garbled { letter } else { around.slice(around.previous()?.span()) };
-    let written = format!("{before}{digits}");
+    let digits: String = run.replace(',', ".").chars().map(|key| digit_of_key(key).unwrap_or(key)).collect();
+    let number = Number::parse(digits.as_bytes())?;
+    let function = matches!(address, Address::G | Address::M) && digits.len() > 2;
+    let found = if function || !around.may_mean(address, span.start, number) {
+        around.characters(span, Meant::Number)
+    } else {
+        around.characters_as(span, format!("{address}{digits}"), |written| Meant::CzechKeys { written })
+    };
+    Some(Diagnosis::saying(tokens, found).void(address, span))
+}
+
+/// `S150é`: the last digits of a number, typed without Shift.
+pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
+    let token = around.token();
+    let before = around.previous()?;
+    let behind = matches!(token.kind, Kind::Junk(Shape::Unknown | Shape::Text))
+        && around.text.get(..token.start as usize)?.ends_with(|last: char| last.is_ascii_digit() || last == '.');
+    if !behind {
+        return None;
+    }
+    let (span, keys) = (token.span(), around.slice(token.span()));
+    let digit = |key: char| digit_of_key(key).filter(|_| !key.is_ascii()).or(Some(key).filter(char::is_ascii_digit));
+    let digits = keys.chars().map(digit).collect::<Option<String>>()?;
+    let written = format!("{}{digits}", around.slice(before.span()));
     let address = written.bytes().next().and_then(Address::from_byte)?;
-    let start = if garbled { span.start } else { around.previous()?.start };
     let number = Number::parse(written.get(1..)?.trim_start_matches([' ', '\t']).as_bytes())?;
-    let length = written.len() - 1;
     let function = matches!(address, Address::G | Address::M);
-    let fits = around.may_mean(address, start, number) && !(function && length > 2);
+    let fits = around.may_mean(address, before.start, number) && !(function && written.len() > 3);
     // The fixed blank of Windows-1250 is `á` in CP852.
-    let blank = !garbled && keys == "á";
+    let blank = keys == "á";
     let meant = match (fits, blank) {
         (true, true) => Meant::CzechKeyOrBlank { written: written.clone() },
         (true, false) => Meant::CzechKeys { written: written.clone() },
@@ -186,13 +207,12 @@ pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
     };
     let mut found = around.characters(span, meant);
     if fits {
-        found = found.with_offer(write(&written), around.place(span), format!("{letter}{digits}"));
+        found = found.with_offer(write(&written), around.place(span), digits);
     }
     if blank {
         found = found.with_offer(FixTitle::PlainBlank, around.place(span), " ");
     }
-    let diagnosis = Diagnosis::saying(1, found);
-    Some(if garbled { diagnosis.void(address, span) } else { diagnosis.debris().junk(span) })
+    Some(Diagnosis::saying(1, found).debris().junk(span))
 }
 
 /// `8N0`: the letter of a block number is inside it.

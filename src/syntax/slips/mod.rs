@@ -45,12 +45,13 @@ const AROUND_WORDS: [Row; 7] = [
 ];
 
 /// The same for whatever is not a well-formed word. Recognisers that look farther around come first.
-const TABLE: [Row; 42] = [
+const TABLE: [Row; 43] = [
     (comments::quoted, "\"text\""),
     (comments::typographic, "„text“"),
     (comments::foreign, "(text)"),
     (elsewhere::unknown_address, "E5"),
     (elsewhere::line, "L Z+100 R0 FMAX"),
+    (letters::czech_word, "Xě5"),
     (letters::letter_for_digit, "G71 LI00"),
     (forgotten::exchanged_words, "80X 20Y"),
     (forgotten::exchanged_address, "X1 4Y"),
