@@ -272,7 +272,13 @@ impl Context<'_, '_> {
                 let place = parsed.word_place(word);
                 let shown = crate::diag::shown(parsed.source.slice(place.span));
                 self.open.crowded.insert(place);
-                self.report(place, Finding::CrowdedSubprogramStart { word: shown, unnumbered });
+                let finding = Finding::CrowdedSubprogramStart { word: shown, unnumbered };
+                let diagnostic = Diagnostic::new(finding, place);
+                let l = entry_l(parsed, block).and_then(l_number).filter(|_| unnumbered);
+                self.findings.add(match l {
+                    Some(l) => diagnostic.with_label(entry_place(parsed, block), LabelText::UnitBegins { l }),
+                    None => diagnostic,
+                });
                 return;
             }
         }
