@@ -229,6 +229,15 @@ fn shifts_and_what_is_near() {
     );
 }
 
+/// CMP-3: X of a lathe is told as a diameter, too.
+#[test]
+fn diameters() {
+    let lathe = "%1\nN10 G74 G90 G00 X100 Z50 T1 M06\nN20 S1000 M3 F200\nN30 G1 X40\nN40 G00 X100\nN50 M30\n";
+    let place = Place::with(&[("a.nc", lathe.as_bytes()), ("b.nc", lathe.replace("X40", "X40.01").as_bytes())]);
+    let run = place.run(&["compare", "a.nc", "b.nc"]).ends(1);
+    assert!(run.stdout.contains("T1: X +0.005 (Ø +0.01) in 1 block (N30)"), "{}", run.stdout);
+}
+
 /// CMP-3, CMP-7: a summary by tool; folders as a table, a line for each program.
 #[test]
 fn summaries() {

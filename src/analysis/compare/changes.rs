@@ -119,6 +119,8 @@ pub struct Change {
     pub new: Option<Value>,
     /// The difference, where it is one number.
     pub delta: Option<i64>,
+    /// Old, new and difference are half of what the programs write (G74).
+    pub halved: bool,
     /// Blocks of the old program.
     pub old_blocks: Blocks,
     /// Blocks of the new program.
@@ -543,20 +545,23 @@ impl<'s> Grouping<'s> {
     /// Adds a difference to its group; a `run` other than 0 has its own group.
     fn note(&mut self, difference: Difference, old: Option<usize>, new: Option<usize>, run: u64) {
         let Difference { kind, what, old: old_value, new: new_value } = difference;
-        let old = old.and_then(|at| self.old.step(at));
-        let new = new.and_then(|at| self.new.step(at));
-        let context = new.and_then(|step| self.new.context_of(step));
-        let context = context.or_else(|| old.and_then(|step| self.old.context_of(step)));
+        let old_step = old.and_then(|at| self.old.step(at));
+        let new_step = new.and_then(|at| self.new.step(at));
+        let context = new_step.and_then(|step| self.new.context_of(step));
+        let context = context.or_else(|| old_step.and_then(|step| self.old.context_of(step)));
         let tool = context.and_then(|context| context.tool);
         let delta = match (&old_value, &new_value) {
             (Some(Value::Number(a)), Some(Value::Number(b))) if a != b => Some(b.saturating_sub(*a)),
             _ => None,
         };
         let (old_blocks, new_blocks) = (Blocks::default(), Blocks::default());
-        let change = Change { kind, tool, what, old: old_value, new: new_value, delta, old_blocks, new_blocks };
+        let is_x = kind == ChangeKind::Position && what.as_deref() == Some("X");
+        let halved = is_x && (self.old.diameters || self.new.diameters);
+        let (old, new) = (old_value, new_value);
+        let change = Change { kind, tool, what, old, new, delta, halved, old_blocks, new_blocks };
         if let Some(change) = self.groups.of(run, change) {
-            old.into_iter().for_each(|step| change.old_blocks.add(step));
-            new.into_iter().for_each(|step| change.new_blocks.add(step));
+            old_step.into_iter().for_each(|step| change.old_blocks.add(step));
+            new_step.into_iter().for_each(|step| change.new_blocks.add(step));
         }
     }
 }

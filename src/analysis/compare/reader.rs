@@ -363,6 +363,7 @@ impl Sink for &mut StepReader {
         if block.change_pos() {
             self.way = Default::default();
         }
+        self.steps.diameters |= block.g(GGroup::G10) == Some(GCode::G74);
         self.note_context(block);
         self.follow_speed(block);
         self.read_unknown(block);

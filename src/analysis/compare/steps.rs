@@ -222,6 +222,8 @@ pub struct Steps {
     pub blocks: u64,
     /// The sum of known lengths.
     pub path: Micro,
+    /// X is programmed as a diameter somewhere (G74).
+    pub diameters: bool,
 }
 
 fn index(count: usize) -> u32 {

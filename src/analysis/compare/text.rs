@@ -74,8 +74,18 @@ pub(super) fn line(change: &Change, lang: Lang) -> String {
     let places = format!("({})", places(change, lang));
     let dwell = || Words::Dwell.text(lang);
     let what = change.what.as_ref().map_or_else(dwell, ToString::to_string);
+    let signed = |millionths: i64| {
+        let by = Micro::from_millionths(millionths).to_f64();
+        format!("{}{}", if by < 0.0 { "−" } else { "+" }, trimmed(by.abs(), 6))
+    };
+    let plain = |millionths: i64| Micro::from_millionths(millionths).to_string();
+    // A machinist reads diameters.
+    let shown = |millionths: i64, show: &dyn Fn(i64) -> String| match change.halved {
+        true => format!("{} (Ø {})", show(millionths), show(millionths.saturating_mul(2))),
+        false => show(millionths),
+    };
     let value = |value: &Option<Value>| match value {
-        Some(Value::Number(number)) => Micro::from_millionths(*number).to_string(),
+        Some(Value::Number(number)) => shown(*number, &plain),
         Some(Value::Text(text)) => text.clone(),
         None => Words::None.text(lang),
     };
@@ -83,9 +93,7 @@ pub(super) fn line(change: &Change, lang: Lang) -> String {
         ChangeKind::Added => Words::Added { count, places },
         ChangeKind::Removed => Words::Removed { count, places },
         ChangeKind::Position if change.delta.is_some() => {
-            let by = Micro::from_millionths(change.delta.unwrap_or(0)).to_f64();
-            let sign = if by < 0.0 { "−" } else { "+" };
-            Words::Shift { what, by: format!("{sign}{}", trimmed(by.abs(), 6)), count, places }
+            Words::Shift { what, by: shown(change.delta.unwrap_or(0), &signed), count, places }
         }
         kind if kind != ChangeKind::Position && change.old.is_some() && change.old == change.new => {
             let at = |blocks: &Blocks| numbers(blocks).unwrap_or_default();
