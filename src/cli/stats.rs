@@ -43,7 +43,11 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
     let found = targets(&args.paths, &mut |folder| projects.extensions(folder, origins));
     tell_unsearched(&found, locale);
     let mut targets = found.targets;
+    let first = targets.first().map(Target::name);
     targets.retain(|target| !Session::is_macrocycle(&target.path, &loader));
+    if let Some(file) = first.filter(|_| targets.is_empty()) {
+        return Err(Words::OnlyMacrocycles { file }.into());
+    }
     projects.configure(&targets, origins)?;
     let mut report = projects.report();
     let shown = FindingsArgs { format: Format::Human, all: false };

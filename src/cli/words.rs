@@ -93,6 +93,9 @@ bilingual! {
         Interrupted
             "interrupted; no file is left half written",
             "přerušeno; žádný soubor nezůstal zapsaný napůl";
+        OnlyMacrocycles { file: String }
+            "{file} is a macrocycle: it has no row of its own",
+            "{file} je makrocyklus: vlastní řádek nemá";
         NoPrograms { folder: String }
             "no program found in {folder}; programs are files .nc .ncp .mpf .txt (or `extensions` of the project file) \
              with a line that begins with % and a number, and macrocycles L…",

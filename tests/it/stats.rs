@@ -138,6 +138,7 @@ fn macrocycles_and_their_names() {
         (names("L12.nc"), names(".")),
         (vec!["L12.nc".to_owned()], vec!["L12.nc".to_owned(), "a.nc".to_owned()])
     );
+    place.run(&["stats", "L7", "--lang", "en"]).ends(2).says("L7 is a macrocycle: it has no row of its own");
     place.put("new/L12.nc", "%4\nN1 G90 G00 X2\nN2 M30\n");
     place.put("new/L7", "N10 G79 L7\nN20 G70\n");
     place.put("old/L12.nc", "%4\nN1 G90 G00 X1\nN2 M30\n");
