@@ -1,18 +1,21 @@
 //! `init`: a commented project file, never over an existing one.
 
+use std::collections::HashSet;
 use std::fs::{self, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::args::InitArgs;
 use super::locale::Locale;
 use super::status::{Failure, Status, tell};
+use super::walk::has_extension;
 use super::words::Words;
-use crate::config::{PROJECT_FILE, Surroundings, initial};
+use crate::config::{EXTENSIONS, PROJECT_FILE, Surroundings, initial};
 use crate::dict::Lang;
-use crate::disk::{DiskLoader, entries};
-use crate::session::Session;
-use crate::text::{Loader, path_name};
+use crate::disk::{self, DiskLoader, entries};
+use crate::resolve::{Library, begins_macrocycle};
+use crate::text::{Encoding, Loader, SourceText, path_name};
 
 pub(super) fn run(args: &InitArgs, locale: Locale) -> Result<Status, Failure> {
     let path = args.folder.as_deref().map_or_else(|| PathBuf::from(PROJECT_FILE), |folder| folder.join(PROJECT_FILE));
@@ -30,18 +33,25 @@ const HEAD: usize = 1 << 16;
 
 /// The files in the folder that a project file may name.
 fn surroundings(folder: &Path) -> Surroundings {
-    let mut macrocycles = Vec::new();
-    search(folder, "", DEPTH, &mut macrocycles);
+    let mut found = Folders::default();
+    found.search(folder, "", DEPTH);
+    let is_ambiguous = found.is_ambiguous();
+    let mut macrocycles = found.macrocycles;
     // Those beside the programs are found without being named.
     if macrocycles == ["."] {
         macrocycles.clear();
     }
     let configs = entries(folder).unwrap_or_default().into_iter().filter(|entry| {
         let is_xml = entry.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"));
-        is_xml && entry.is_file() && DiskLoader::default().head(&entry.path, HEAD).is_ok_and(|head| is_channel(&head))
+        is_xml && entry.is_file() && head(&entry.path).is_some_and(|head| is_channel(&head))
     });
     let names = configs.filter_map(|entry| Some(entry.path.file_name()?.to_str()?.to_owned()));
-    Surroundings { macrocycles, channel_config: names.into_iter().next() }
+    Surroundings { macrocycles, is_ambiguous, channel_config: names.into_iter().next() }
+}
+
+/// The first bytes of a file.
+fn head(path: &Path) -> Option<Vec<u8>> {
+    DiskLoader::default().head(path, HEAD).ok()
 }
 
 /// Whether it begins as a ChannelConfig.
@@ -50,19 +60,58 @@ fn is_channel(head: &[u8]) -> bool {
     text.contains("<ChannelConfig") || text.contains("<MFunctions")
 }
 
-/// Adds the folders that hold macrocycles, `name` and those below.
-fn search(folder: &Path, name: &str, depth: usize, found: &mut Vec<String>) {
-    let entries = entries(folder).unwrap_or_default();
-    if entries.iter().any(|entry| entry.is_file() && Session::is_macrocycle_name(&entry.path)) {
-        found.push(if name.is_empty() { "." } else { name }.to_owned());
-    }
-    for entry in entries.iter().filter(|entry| depth > 0 && entry.is_folder() && !entry.is_link()) {
-        let Some(own) = entry.path.file_name().and_then(|own| own.to_str()) else { continue };
-        if !own.starts_with('.') {
-            let name = if name.is_empty() { own.to_owned() } else { format!("{name}/{own}") };
-            search(&entry.path, &name, depth - 1, found);
+/// Folders by what they hold.
+#[derive(Default)]
+struct Folders {
+    /// Those with macrocycles, relative.
+    macrocycles: Vec<String>,
+    /// Those with programs, relative.
+    programs: Vec<String>,
+    /// The numbers that names of files in `macrocycles` say.
+    numbers: Vec<u32>,
+}
+
+impl Folders {
+    /// Looks at a folder, whose name is `name`, and at those below.
+    fn search(&mut self, folder: &Path, name: &str, depth: usize) {
+        let entries = entries(folder).unwrap_or_default();
+        let files = || entries.iter().filter(|entry| entry.is_file()).map(|entry| entry.path.as_path());
+        let relative = if name.is_empty() { "." } else { name };
+        if files().any(is_macrocycle) {
+            self.macrocycles.push(relative.to_owned());
+            self.numbers.extend(files().filter_map(Library::number));
+        }
+        if files().any(is_program) {
+            self.programs.push(relative.to_owned());
+        }
+        for entry in entries.iter().filter(|entry| depth > 0 && entry.is_folder() && !entry.is_link()) {
+            let Some(own) = entry.path.file_name().and_then(|own| own.to_str()) else { continue };
+            if !own.starts_with('.') {
+                let name = if name.is_empty() { own.to_owned() } else { format!("{name}/{own}") };
+                self.search(&entry.path, &name, depth - 1);
+            }
         }
     }
+
+    /// Whether programs would find another macrocycle than the one meant for them, if all folders were searched: a
+    /// number is there twice, or programs stand beside macrocycles, and others elsewhere.
+    fn is_ambiguous(&self) -> bool {
+        let is_shared = self.programs.iter().any(|folder| self.macrocycles.contains(folder));
+        let numbers: HashSet<_> = self.numbers.iter().collect();
+        numbers.len() < self.numbers.len() || (is_shared && self.programs.len() > 1)
+    }
+}
+
+/// Whether the file is a macrocycle, by its name and its first block.
+fn is_macrocycle(path: &Path) -> bool {
+    let source = || SourceText::decode("", head(path)?, Encoding::default()).ok();
+    Library::number(path).is_some() && source().is_some_and(|source| begins_macrocycle(&Arc::new(source)))
+}
+
+/// Whether the file is a program, by its name and its text.
+fn is_program(path: &Path) -> bool {
+    let is_named = has_extension(path, EXTENSIONS) || Library::number(path).is_some();
+    is_named && !is_macrocycle(path) && disk::is_program(path).unwrap_or(false)
 }
 
 /// Writes a file that is not there yet. A link counts as a file, wherever it leads.

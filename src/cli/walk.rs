@@ -176,8 +176,9 @@ fn is_program(path: &Path) -> bool {
     Session::is_macrocycle_name(path) || disk::is_program(path).unwrap_or(true)
 }
 
-fn has_extension(path: &Path, extensions: &[String]) -> bool {
-    path.extension().is_some_and(|own| extensions.iter().any(|extension| own.eq_ignore_ascii_case(extension)))
+/// Whether the name of the file has one of these extensions.
+pub(super) fn has_extension(path: &Path, extensions: &[impl AsRef<str>]) -> bool {
+    path.extension().is_some_and(|own| extensions.iter().any(|extension| own.eq_ignore_ascii_case(extension.as_ref())))
 }
 
 fn is_hidden(path: &Path) -> bool {

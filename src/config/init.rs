@@ -23,11 +23,26 @@ const INTRODUCTION: Bilingual = Bilingual {
 ",
 };
 
+/// Why the folders with macrocycles are not in force.
+const AMBIGUOUS: Bilingual = Bilingual {
+    en: "\
+# Left out, for programs would call macrocycles of another folder: a number is there twice, or some programs have theirs
+# beside them. As it is, each program finds those in its own folder.
+",
+    cs: "\
+# Vynecháno, programy by volaly makrocykly z jiné složky: některé číslo je tu dvakrát, nebo mají některé programy své
+# makrocykly vedle sebe. Takto každý program najde ty ve své složce.
+",
+};
+
 /// The files that a project file may name, in its folder.
 #[derive(Clone, Debug, Default)]
 pub struct Surroundings {
     /// Folders with macrocycles, relative, with `/`; none when only the folder of the programs has them.
     pub macrocycles: Vec<String>,
+    /// Whether programs may find another macrocycle than theirs when all these folders are searched; the key then stays
+    /// a comment.
+    pub is_ambiguous: bool,
     /// The ChannelConfig, relative.
     pub channel_config: Option<String>,
 }
@@ -78,17 +93,22 @@ fn root(text: &mut String, rows: &[Row], (dialect, found): (Dialect, &Surroundin
         if row.name == "dialect" {
             line(text, &format!("{} = \"{}\"", row.name, dialect.name()), row.meaning, lang);
         } else if row.name == "channel-config" {
-            // Without one, an example would name a file that is not there.
-            if let Some(name) = found.channel_config.as_ref().filter(|_| dialect.has_channel_config()) {
-                line(text, &format!("{} = {}", row.name, quoted(name)), row.meaning, lang);
+            match &found.channel_config {
+                _ if !dialect.has_channel_config() => {}
+                Some(name) => line(text, &format!("{} = {}", row.name, quoted(name)), row.meaning, lang),
+                None => key(text, row, dialect, lang),
             }
         } else if row.name == "macrocycles" {
             let folders: Vec<String> = found.macrocycles.iter().map(quoted).collect();
             let value = if folders.is_empty() {
                 "#macrocycles = [\".\"]".to_owned()
             } else {
-                format!("macrocycles = [{}]", folders.join(", "))
+                let comment = if found.is_ambiguous { "#" } else { "" };
+                format!("{comment}macrocycles = [{}]", folders.join(", "))
             };
+            if !folders.is_empty() && found.is_ambiguous {
+                text.push_str(AMBIGUOUS.get(lang));
+            }
             line(text, &value, row.meaning, lang);
         } else {
             key(text, row, dialect, lang);
@@ -96,11 +116,7 @@ fn root(text: &mut String, rows: &[Row], (dialect, found): (Dialect, &Surroundin
     }
     for section in SECTIONS {
         if let Form::List(rows) = section.form {
-            let values: Vec<String> = rows
-                .iter()
-                .filter(|row| !row.example.is_empty())
-                .map(|row| format!("{} = {}", row.name, row.example))
-                .collect();
+            let values: Vec<String> = rows.iter().map(|row| row.line(dialect)).collect();
             line(text, &format!("#{} = [{{ {} }}]", section.name, values.join(", ")), section.meaning, lang);
         }
     }
@@ -186,6 +202,8 @@ mod tests {
             let lines: Vec<&str> = text.lines().collect();
             let is_code = |line: &str| line.starts_with('#') && !line.starts_with("# ");
             let mut table = None;
+            // The ChannelConfig of the example is not there.
+            let is_code = |line: &str| is_code(line) && !line.starts_with("#channel-config");
             for (at, line) in lines.iter().enumerate().filter(|(_, line)| is_code(line)) {
                 if line.starts_with("#[") {
                     table = Some(at);
@@ -204,10 +222,15 @@ mod tests {
 
     #[test]
     fn what_is_there_is_named() {
-        let found =
-            Surroundings { macrocycles: vec!["macros".to_owned()], channel_config: Some("Channel.xml".to_owned()) };
+        let found = Surroundings {
+            macrocycles: vec!["macros".to_owned()],
+            is_ambiguous: false,
+            channel_config: Some("Channel.xml".to_owned()),
+        };
         let text = initial(Dialect::Cnc872, &found, Lang::En);
         assert!(text.contains("\nmacrocycles = [\"macros\"]") && text.contains("\nchannel-config = \"Channel.xml\""));
         assert!(!initial(Dialect::Cnc8x9, &found, Lang::En).contains("channel-config"));
+        let text = initial(Dialect::Cnc872, &Surroundings::default(), Lang::En);
+        assert!(text.contains("\n#channel-config = \"Channel.xml\"") && text.contains(", output = 1 }]"), "{text}");
     }
 }

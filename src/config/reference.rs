@@ -16,7 +16,7 @@ the command line take precedence, value by value.
 
 A key that is not known is a warning (W0705); a value of the wrong type or outside its range is an error at its place
 (E0702), and then no program is read. Numbers are taken by their digits, without binary fractions; one that is finer
-than 0.001 is rounded, halves away from zero, with a warning (W0303). `cnc872c init` writes a file with all keys.
+than 0.001 is rounded, halves away from zero, with a warning (W0303). `cnc872c init` writes a commented file.
 ",
     cs: "\
 Konfigurace říká, pro jaký stroj programy jsou. Je to soubor TOML ve složce programu nebo v nejbližší složce nad ní;
@@ -25,7 +25,7 @@ na příkazovém řádku, hodnotu po hodnotě.
 
 Neznámý klíč je varování (W0705); hodnota nesprávného typu nebo mimo rozsah je chyba na svém místě (E0702) a žádný
 program se pak nečte. Čísla se berou podle číslic, bez dvojkových zlomků; číslo s více než třemi desetinnými místy se
-zaokrouhlí, poloviny směrem od nuly, a dá varování (W0303). Soubor se všemi klíči zapíše `cnc872c init`.
+zaokrouhlí, poloviny směrem od nuly, a dá varování (W0303). Soubor s komentáři zapíše `cnc872c init`.
 ",
 };
 

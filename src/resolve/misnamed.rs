@@ -14,6 +14,12 @@ pub fn is_program(source: &Arc<SourceText>) -> bool {
     begins_as_program(source) && is_program_inside(&parse(FileId(0), source, Form::Macrocycle, &mut Findings::new()))
 }
 
+/// Whether a file begins with a G79, as a macrocycle does.
+pub fn begins_macrocycle(source: &Arc<SourceText>) -> bool {
+    let parsed = parse(FileId(0), source, Form::Macrocycle, &mut Findings::new());
+    begins_with_entry(&parsed)
+}
+
 /// W0222: the name of the program's file is that of a macrocycle.
 pub fn report_misnamed(resolved: &Resolved, l: u32, findings: &mut Findings) {
     let file = resolved.main().and_then(|_| resolved.file(FileId(0)));
@@ -31,7 +37,11 @@ fn begins_as_program(source: &SourceText) -> bool {
 
 fn is_program_inside(parsed: &ParsedFile) -> bool {
     let ends = |block: BlockId| parsed.flags(block).has(BlockFlags::END);
-    parsed.block_count() > 0 && !parsed.flags(BlockId(0)).has(BlockFlags::ENTRY) && parsed.block_ids().any(ends)
+    parsed.block_count() > 0 && !begins_with_entry(parsed) && parsed.block_ids().any(ends)
+}
+
+fn begins_with_entry(parsed: &ParsedFile) -> bool {
+    parsed.block_count() > 0 && parsed.flags(BlockId(0)).has(BlockFlags::ENTRY)
 }
 
 impl Context<'_, '_> {

@@ -37,7 +37,7 @@ pub use functions::m_number;
 pub use holes::{Known, may_assign, may_have_end};
 pub use library::{Library, MacrocycleFault};
 pub use load::resolve;
-pub use misnamed::{is_program, report_misnamed};
+pub use misnamed::{begins_macrocycle, is_program, report_misnamed};
 pub use numbers::number_as_function;
 pub use planes::missing_axis;
 pub use points::Points;

@@ -53,3 +53,31 @@ fn what_is_there_is_in_force() {
     assert!(text.contains("\nchannel-config = \"Channel.xml\""), "{text}");
     place.run(&["check", "a.nc"]).ends(0);
 }
+
+/// The folders stay a comment where programs would call the macrocycle of another job: a job has its macrocycles beside
+/// it and others are elsewhere, or a number is there twice. Only macrocycles make a folder one of them.
+#[test]
+fn folders_of_several_jobs_are_left_out() {
+    let cycle: &[u8] = b"N1 G79 L3\nN2 G00 Z-50\nN3 G70\n";
+    let call: &[u8] = b"%1\nN10 G90 G00 X0\nN20 G72 L3\nN30 M30\n";
+    let plain: &[u8] = b"%1\nN10 G90 G00 X0\nN30 M30\n";
+    let written = |files: &[(&str, &[u8])]| {
+        let place = Place::with(files);
+        place.run(&["init"]).ends(0);
+        let text = String::from_utf8(place.read("cnc872c.toml")).unwrap();
+        let key = text.lines().find(|line| line.contains("macrocycles = [\"")).unwrap();
+        (key.split("  #").next().unwrap().trim().to_owned(), text.contains("# Left out"), place)
+    };
+    let (key, said, place) = written(&[("A/a.nc", call), ("B/L3", cycle), ("B/b.nc", call)]);
+    assert_eq!((key.as_str(), said), ("#macrocycles = [\"B\"]", true));
+    assert!(place.run(&["check", "A/a.nc"]).ends(1).stdout.contains("E0405"));
+    let (key, said, place) = written(&[("1/L3", cycle), ("1/a.nc", call), ("2/L3", cycle), ("2/a.nc", call)]);
+    assert_eq!((key.as_str(), said), ("#macrocycles = [\"1\", \"2\"]", true));
+    place.run(&["check", "."]).ends(0);
+    let (key, said, _) = written(&[("jobs/a.nc", plain), ("1/L3", cycle), ("2/l03.mrc", cycle)]);
+    assert_eq!((key.as_str(), said), ("#macrocycles = [\"1\", \"2\"]", true));
+    let (key, said, _) = written(&[("a.nc", call), ("L4", cycle), ("lib/L3", cycle)]);
+    assert_eq!((key.as_str(), said), ("macrocycles = [\".\", \"lib\"]", false));
+    let (key, said, _) = written(&[("a/L12.nc", plain), ("b/L5.txt", b"Notes: N10 is slow"), ("c/L3", cycle)]);
+    assert_eq!((key.as_str(), said), ("macrocycles = [\"c\"]", false));
+}
