@@ -7,6 +7,9 @@ use super::row::Row;
 use super::sections::{Form, SECTIONS, Section};
 use crate::dict::{Bilingual, Dialect, Lang};
 
+/// The key that only some controls have.
+const CHANNEL_CONFIG: &str = "channel-config";
+
 /// A table of the project file, or a key in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Key {
@@ -82,10 +85,15 @@ impl Key {
         self.row.map_or(self.section.name, |row| row.name)
     }
 
-    /// The line of the project file that sets it to its default or an example; of a table the line that begins it.
-    pub fn line(&self) -> String {
+    /// Whether a machine with this control can have it.
+    pub fn is_for(&self, dialect: Dialect) -> bool {
+        self.path() != CHANNEL_CONFIG || dialect.has_channel_config()
+    }
+
+    /// The line of the project file that sets it to its default on that control, or to an example; of a table the line that begins it.
+    pub fn line(&self, dialect: Dialect) -> String {
         match (self.row, self.section.form) {
-            (Some(row), _) => row.line(Dialect::default()),
+            (Some(row), _) => row.line(dialect),
             (None, Form::List(..)) => format!("[[{}]]", self.section.name),
             (None, Form::Tables(..)) => format!("[{}.{}]", self.section.name, self.section.example),
             (None, Form::Keys(..) | Form::Map(..)) => format!("[{}]", self.section.name),
@@ -102,8 +110,8 @@ impl Key {
         self.row.map_or(self.section.meaning, |row| row.meaning).get(lang)
     }
 
-    /// Its page, Markdown.
-    pub fn page(&self, lang: Lang) -> String {
+    /// Its page, Markdown; the example is for that control.
+    pub fn page(&self, dialect: Dialect, lang: Lang) -> String {
         let mut page = format!("# {}: {}\n\n", self.path(), self.meaning(lang));
         let pick = |en, cs| Bilingual { en, cs }.get(lang);
         let mut line = |words: &str, value: &str| {
@@ -133,7 +141,7 @@ impl Key {
             line(pick("On the command line", "Na příkazovém řádku"), &options.join(", "));
         }
         line(pick("Rule", "Pravidlo"), self.row.map_or(self.section.rule, |row| row.rule));
-        let _ = write!(page, "\n## {}\n\n```toml\n{}```\n", pick("Example", "Příklad"), self.example());
+        let _ = write!(page, "\n## {}\n\n```toml\n{}```\n", pick("Example", "Příklad"), self.example(dialect));
         page
     }
 
@@ -146,8 +154,8 @@ impl Key {
         }
     }
 
-    fn example(&self) -> String {
-        let value = |row: &Row| row.line(Dialect::default()) + "\n";
+    fn example(&self, dialect: Dialect) -> String {
+        let value = |row: &Row| row.line(dialect) + "\n";
         let rows = || match self.row {
             Some(row) => value(row),
             None => self.section.form.rows().iter().map(value).collect(),
@@ -184,14 +192,16 @@ mod tests {
     #[test]
     fn every_key_has_a_page() {
         for key in Key::all() {
-            let run = Run::plain(&key.example());
-            assert!(run.findings.is_empty(), "{}{:?}", key.example(), run.findings);
+            let example = key.example(Dialect::default());
+            let run = Run::plain(&example);
+            assert!(run.findings.is_empty(), "{example}{:?}", run.findings);
             for lang in [Lang::En, Lang::Cs] {
-                let page = key.page(lang);
+                let page = key.page(Dialect::default(), lang);
                 assert!(page.starts_with(&format!("# {}: ", key.path())) && page.contains("```toml\n"), "{page}");
             }
         }
-        let page = Key::find("g97").unwrap().page(Lang::Cs);
+        let page = Key::find("g97").unwrap().page(Dialect::Cnc8x9, Lang::Cs);
+        assert!(page.ends_with("\ng97 = \"per-revolution\"\n```\n"), "{page}");
         assert!(page.contains("cnc8x9: `\"per-revolution\"`, cnc872: `\"per-minute\"`"), "{page}");
     }
 }

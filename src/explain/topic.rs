@@ -209,7 +209,7 @@ impl Topic {
             Self::M(number) => m_page(number, lang),
             Self::Address(address) => address_page(address, lang),
             Self::Key(key) => {
-                let mut page = key.page(lang);
+                let mut page = key.page(Dialect::default(), lang);
                 add_findings(&mut page, &format!("`{}`", key.path()), lang);
                 page
             }

@@ -1,6 +1,6 @@
 //! Completion and hover in the project file, made of the rows of its keys.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use gen_lsp_types::{Position, Range, Uri};
@@ -10,9 +10,10 @@ use super::places::{Places, offset};
 use super::snapshot::{Answer, Snapshot};
 use crate::config::{Key, PROJECT_FILE};
 use crate::diag::Code;
-use crate::dict::Lang;
+use crate::dict::{Dialect, Lang};
+use crate::resolve::Library;
 use crate::sure::small;
-use crate::text::{SourceText, Span};
+use crate::text::{Loader, SourceText, Span};
 
 /// Kinds of items, as the protocol numbers them.
 const MODULE: u32 = 9;
@@ -85,7 +86,8 @@ pub(super) fn completion(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
         return Ok(Value::Null);
     };
     let mut places = Places::new(&file.source, snapshot.client.unit);
-    let mut items = Items { lang: snapshot.client.lang(), list: Vec::new() };
+    let (lang, dialect) = (snapshot.client.lang(), dialect(&lines));
+    let mut items = Items { lang, dialect, list: Vec::new() };
     let before = file.source.slice(Span::new(line.span.start, at));
     if before.trim_start().starts_with('#') {
         return Ok(Value::Null);
@@ -103,13 +105,16 @@ pub(super) fn completion(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
     let range = places.range(line.span);
     let sets = |table: &str, name: &str| lines.iter().any(|line| line.table == table && line.key() == Some(name));
     if !before.trim_start().starts_with('[') {
-        for key in Key::all().filter(|key| key.is_in(line.table) && !sets(line.table, key.name())) {
-            items.add(key.name(), PROPERTY, &key, &key.line(), range);
+        let fits = |key: &Key| key.is_in(line.table) && key.is_for(dialect) && !sets(line.table, key.name());
+        for key in Key::all().filter(fits) {
+            for text in lines_of(snapshot, &file.path, &key, dialect) {
+                items.add(key.name(), PROPERTY, &key, &text, range);
+            }
         }
         items.names(line.table, range, |name| sets(line.table, name));
     }
     for key in Key::all().filter(Key::is_table) {
-        let header = key.line();
+        let header = key.line(dialect);
         if header.starts_with("[[") || !lines.iter().any(|line| line.header() == Some(header.trim_matches(['[', ']'])))
         {
             items.add(&header, MODULE, &key, &header, range);
@@ -118,15 +123,50 @@ pub(super) fn completion(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
     Ok(items.finish())
 }
 
+/// The control that the file is for.
+fn dialect(lines: &[Line<'_>]) -> Dialect {
+    let mut set = lines.iter().filter(|line| line.table.is_empty() && line.key() == Some("dialect"));
+    let value = set.find_map(|line| line.text.split_once('=')).map(|(_, value)| value.trim_start());
+    let named = |dialect: &Dialect| {
+        value.is_some_and(|value| value.get(1..).is_some_and(|name| name.starts_with(dialect.name())))
+    };
+    Dialect::ALL.into_iter().find(named).unwrap_or_default()
+}
+
+/// The lines that can be offered for a key. A path that is not there would end every run, so those beside the file are
+/// offered: folders with macrocycles, else the folder itself, and XML files.
+fn lines_of(snapshot: &Snapshot, file: &Path, key: &Key, dialect: Dialect) -> Vec<String> {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let name = |path: PathBuf| Some(toml_edit::Value::from(path.file_name()?.to_str()?).to_string());
+    match key.path().as_str() {
+        "macrocycles" => {
+            let holds =
+                |folder: &PathBuf| snapshot.files.list(folder).iter().any(|path| Library::number(path).is_some());
+            let folders: Vec<String> =
+                snapshot.files.folders(folder).into_iter().filter(holds).filter_map(name).collect();
+            let folders = if folders.is_empty() { vec!["\".\"".to_owned()] } else { folders };
+            folders.into_iter().map(|folder| format!("macrocycles = [{folder}]")).collect()
+        }
+        "channel-config" => {
+            let is_xml =
+                |path: &PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"));
+            let files = snapshot.files.list(folder).into_iter().filter(is_xml).filter_map(name);
+            files.map(|file| format!("channel-config = {file}")).collect()
+        }
+        _ => vec![key.line(dialect)],
+    }
+}
+
 /// Items in the making.
 struct Items {
     lang: Lang,
+    dialect: Dialect,
     list: Vec<Value>,
 }
 
 impl Items {
     fn add(&mut self, label: &str, kind: u32, key: &Key, text: &str, range: Range) {
-        self.push(label, kind, key.meaning(self.lang), &key.page(self.lang), text, range);
+        self.push(label, kind, key.meaning(self.lang), &key.page(self.dialect, self.lang), text, range);
     }
 
     /// The names of the control that a table takes; of findings those whose level can be set.
@@ -168,10 +208,11 @@ pub(super) fn hover(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
     let Some(line) = lines.iter().find(|line| line.span.start <= at && at <= line.span.end) else {
         return Ok(Value::Null);
     };
+    let dialect = dialect(&lines);
     let lint =
         || line.key().filter(|_| line.table == "lints").and_then(Code::find).map(|code| code.page(lang).to_owned());
-    let key = || line.key().and_then(|name| Key::of(line.table, name)).map(|key| key.page(lang));
-    let table = || Key::of_table(line.table).map(|key| key.page(lang));
+    let key = || line.key().and_then(|name| Key::of(line.table, name)).map(|key| key.page(dialect, lang));
+    let table = || Key::of_table(line.table).map(|key| key.page(dialect, lang));
     let Some(page) = lint().or_else(key).or_else(table).filter(|_| line.key().is_some() || line.header().is_some())
     else {
         return Ok(Value::Null);

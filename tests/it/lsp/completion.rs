@@ -386,3 +386,34 @@ fn a_long_program() {
         assert_eq!(found.first().map_or("", String::as_str), expected, "{line}");
     }
 }
+
+/// In the project file: what the control of the file has, with its own defaults; paths that are there.
+#[test]
+fn keys_of_the_control() {
+    let mut editor = Editor::new("en", "", false);
+    editor.file("macros/L9001", "N1 G79 L9001\nN2 G70\n");
+    editor.file("Channel.xml", "<ChannelConfig/>");
+    for (text, label, line) in [
+        ("dialect = \"cnc8x9\"\n[limits]\n|", "feed", Some("feed = 24000")),
+        ("dialect = \"cnc872\"\n[limits]\n|", "feed", Some("feed = 99999")),
+        ("dialect = 'cnc8x9' # new\n|", "g97", Some("g97 = \"per-revolution\"")),
+        ("dialect = \"cnc8x6\"\n[motion]\n|", "profile", Some("profile = \"ramps\"")),
+        ("dialect = \"cnc8x9\"\n|", "channel-config", None),
+        ("|", "channel-config", Some("channel-config = \"Channel.xml\"")),
+        ("|", "macrocycles", Some("macrocycles = [\"macros\"]")),
+    ] {
+        let answer = editor.complete_in("cnc872c.toml", text);
+        let found = items(&answer).iter().find(|item| item["label"] == label);
+        let found = found.map(|item| item["textEdit"]["newText"].as_str().unwrap());
+        assert_eq!(found, line, "{text}");
+    }
+    assert_eq!(
+        item(&editor.complete_in("sub/cnc872c.toml", "|"), "macrocycles")["textEdit"]["newText"],
+        "macrocycles = [\".\"]"
+    );
+    assert!(!labels(&editor.complete_in("sub/cnc872c.toml", "|")).contains(&"channel-config".to_owned()));
+    let (uri, position) = editor.open("cnc872c.toml", "dialect = \"cnc8x9\"\n[limits]\nfe|ed = 5\n");
+    let params = json!({ "textDocument": { "uri": uri }, "position": position });
+    let page = editor.client.request("textDocument/hover", params)["result"]["contents"]["value"].to_string();
+    assert!(page.contains("feed = 24000"), "{page}");
+}
