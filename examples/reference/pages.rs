@@ -155,7 +155,7 @@ fn addresses(lang: Lang) -> String {
         let dictionary = address.row();
         let holds = if matches!(address, Address::G | Address::M) {
             text(lang, "by its group", "podle skupiny")
-        } else if matches!(address, Address::N | Address::Program) {
+        } else if matches!(address, Address::N | Address::Program) || address.axis().is_some() {
             "–"
         } else if dictionary.lasts_until_changed {
             text(lang, "until changed", "do změny")

@@ -182,7 +182,7 @@ pub struct AddressRow {
     pub form: ValueForm,
     /// Whether the value may carry a sign (H: on CNC872 only).
     pub sign: bool,
-    /// Whether it holds until changed; else it holds in its block.
+    /// Whether it holds until changed; else, but for axes, which move once, it holds in its block.
     pub lasts_until_changed: bool,
     /// The rule of the language that says most of it, such as `ADR-2`.
     pub rule: &'static str,
@@ -223,25 +223,25 @@ addresses! {
         "vynechání bloku: při zapnutém režimu „/“ se blok neprovede";
     G "G" b'G' Whole { min: 0, max: 99 }, false, false, "GRP-1",
         "preparatory function", "přípravná funkce";
-    X "X" b'X' Dimension, true, true, "MOT-1", "1st axis", "1. osa";
-    Y "Y" b'Y' Dimension, true, true, "MOT-1", "2nd axis", "2. osa";
-    Z "Z" b'Z' Dimension, true, true, "MOT-1", "3rd axis", "3. osa";
-    A "A" b'A' Dimension, true, true, "ADR-4",
+    X "X" b'X' Dimension, true, false, "MOT-1", "1st axis", "1. osa";
+    Y "Y" b'Y' Dimension, true, false, "MOT-1", "2nd axis", "2. osa";
+    Z "Z" b'Z' Dimension, true, false, "MOT-1", "3rd axis", "3. osa";
+    A "A" b'A' Dimension, true, false, "ADR-4",
         "4th to 6th axis, by the machine builder",
         "4. až 6. osa, podle výrobce stroje";
-    B "B" b'B' Dimension, true, true, "ADR-4",
+    B "B" b'B' Dimension, true, false, "ADR-4",
         "4th to 6th axis, by the machine builder",
         "4. až 6. osa, podle výrobce stroje";
-    C "C" b'C' Dimension, true, true, "ADR-4",
+    C "C" b'C' Dimension, true, false, "ADR-4",
         "4th to 6th axis, by the machine builder",
         "4. až 6. osa, podle výrobce stroje";
-    U "U" b'U' Dimension, true, true, "ADR-4",
+    U "U" b'U' Dimension, true, false, "ADR-4",
         "4th or 5th axis, by the machine builder",
         "4. nebo 5. osa, podle výrobce stroje";
-    V "V" b'V' Dimension, true, true, "ADR-4",
+    V "V" b'V' Dimension, true, false, "ADR-4",
         "4th or 5th axis, by the machine builder",
         "4. nebo 5. osa, podle výrobce stroje";
-    W "W" b'W' Dimension, true, true, "ADR-4",
+    W "W" b'W' Dimension, true, false, "ADR-4",
         "4th or 5th axis, by the machine builder",
         "4. nebo 5. osa, podle výrobce stroje";
     I "I" b'I' Dimension, true, false, "MOT-3",

@@ -184,7 +184,10 @@ pub(super) fn address_page(address: Address, lang: Lang) -> String {
         pick(lang, "Once in a block", "V bloku jednou")
     };
     if !matches!(address, Address::Program | Address::N) {
-        let _ = write!(page, "- {lasting}\n- {times}\n");
+        if address.axis().is_none() {
+            let _ = writeln!(page, "- {lasting}");
+        }
+        let _ = writeln!(page, "- {times}");
     }
     add_findings(&mut page, &format!("`{}`", row.letter), lang);
     page

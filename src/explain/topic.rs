@@ -346,6 +346,9 @@ mod tests {
     /// Trap: M07 and M08 differ by dialect.
     #[test]
     fn a_page_of_an_m_function_tells_the_dialects_apart() {
+        // §2: axes move once; F holds.
+        let holds = |address| Topic::Address(address).page(Lang::En).contains("- Holds");
+        assert!(!holds(Address::X) && !holds(Address::W) && holds(Address::F) && holds(Address::I));
         let page = Topic::M(7).page(Lang::En);
         assert!(page.contains("## CNC8x6, CNC8x9\n\n- Coolant 2 on"), "{page}");
         assert!(page.contains("CNC872\n\n- Coolant 1 on"), "{page}");

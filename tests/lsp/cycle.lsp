@@ -18,7 +18,7 @@ N40 G80 M30
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`Z -1 mm`** 3rd axis\n\nlinear axis; holds until changed\n\n---\n\n**N2 runs 2×, in program part\\.nc**\n\n- position after the block: X 10, 20 mm; Y 0 mm; Z 4, 3 mm\n- length of the motion: 1 mm\n- G functions in force: `G01 G17 G98 G40 G53 G94 G80 G91 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`\n- technology: F 100 mm/min"
+    "value": "**`Z -1 mm`** 3rd axis\n\nlinear axis\n\n---\n\n**N2 runs 2×, in program part\\.nc**\n\n- position after the block: X 10, 20 mm; Y 0 mm; Z 4, 3 mm\n- length of the motion: 1 mm\n- G functions in force: `G01 G17 G98 G40 G53 G94 G80 G91 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`\n- technology: F 100 mm/min"
   },
   "range": {
     "end": {

@@ -10,7 +10,7 @@ N3 G70
 {
   "contents": {
     "kind": "plaintext",
-    "value": "X R1: 1st axis\nlinear axis; holds until changed\n\nno open program calls this macrocycle: nothing is known of its execution"
+    "value": "X R1: 1st axis\nlinear axis\n\nno open program calls this macrocycle: nothing is known of its execution"
   },
   "range": {
     "end": {
@@ -36,7 +36,7 @@ N50 M30
 {
   "contents": {
     "kind": "plaintext",
-    "value": "X R1: 1st axis\nlinear axis; holds until changed\n\nN2 runs 2×, in program part.nc\nR1 before the block, as its words read it: 5, 7.5\nposition after the block: X 5, 12.5 mm\nlength of the motion: 5, 7.5 mm\nG functions in force: G01 G17 G98 G40 G53 G94 G80 G91 G75 G34\nM functions after the block: M05 M40 M09 M53 M48\ntechnology: F 1000 mm/min"
+    "value": "X R1: 1st axis\nlinear axis\n\nN2 runs 2×, in program part.nc\nR1 before the block, as its words read it: 5, 7.5\nposition after the block: X 5, 12.5 mm\nlength of the motion: 5, 7.5 mm\nG functions in force: G01 G17 G98 G40 G53 G94 G80 G91 G75 G34\nM functions after the block: M05 M40 M09 M53 M48\ntechnology: F 1000 mm/min"
   },
   "range": {
     "end": {
@@ -130,7 +130,7 @@ X10,5
 {
   "contents": {
     "kind": "plaintext",
-    "value": "X 10.5 mm: 1st axis\nlinear axis; holds until changed\n\nN40 runs 1×\nposition after the block: X 23 mm\nlength of the motion: 10.5 mm\nG functions in force: G01 G17 G98 G40 G53 G94 G80 G91 G75 G34\nM functions after the block: M05 M40 M09 M53 M48 M77\ntechnology: F 1000 mm/min"
+    "value": "X 10.5 mm: 1st axis\nlinear axis\n\nN40 runs 1×\nposition after the block: X 23 mm\nlength of the motion: 10.5 mm\nG functions in force: G01 G17 G98 G40 G53 G94 G80 G91 G75 G34\nM functions after the block: M05 M40 M09 M53 M48 M77\ntechnology: F 1000 mm/min"
   },
   "range": {
     "end": {

@@ -128,7 +128,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`X -R10`** 1. osa\n\nlineární osa; platí do změny\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem (tu hodnotu čtou jeho slova): 5, 8, 11\n- hodnota slova: -5, -8, -11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
+    "value": "**`X -R10`** 1. osa\n\nlineární osa\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem (tu hodnotu čtou jeho slova): 5, 8, 11\n- hodnota slova: -5, -8, -11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -236,7 +236,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`C -90.5 °`** 4. až 6. osa, podle výrobce stroje\n\nrotační osa; platí do změny\n\n---\n\n**blok N100 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- délka pohybu: 90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 °/min; S 2000 ot/min; T7"
+    "value": "**`C -90.5 °`** 4. až 6. osa, podle výrobce stroje\n\nrotační osa\n\n---\n\n**blok N100 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- délka pohybu: 90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 °/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -290,7 +290,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`Z -0.8 mm`** 3. osa\n\nlineární osa; platí do změny\n\n---\n\n**blok N510 se provede 24×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z -0.8 mm; C 0 °\n- délka pohybu: 5.8, 1.8 mm\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
+    "value": "**`Z -0.8 mm`** 3. osa\n\nlineární osa\n\n---\n\n**blok N510 se provede 24×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z -0.8 mm; C 0 °\n- délka pohybu: 5.8, 1.8 mm\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {

@@ -21,7 +21,7 @@ N520 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`X 80 mm`** 1st axis\n\nlinear axis; holds until changed\n\n---\n\n**N30 runs 1×**\n\n- position after the block: X 80 mm; Y 4 mm; Z 5 mm\n- length of the motion: 20.396 mm\n- G functions in force: `G01 G17 G23 G40 G53 G94 G80 G90 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`\n- technology: F 3000 mm/min\n- velocity at the start / greatest / at the end: 2423.8 / 3000 / 0 mm/min\n- joint with the motion before: limited by: criterion of accuracy\n- time: 0.459766 s"
+    "value": "**`X 80 mm`** 1st axis\n\nlinear axis\n\n---\n\n**N30 runs 1×**\n\n- position after the block: X 80 mm; Y 4 mm; Z 5 mm\n- length of the motion: 20.396 mm\n- G functions in force: `G01 G17 G23 G40 G53 G94 G80 G90 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`\n- technology: F 3000 mm/min\n- velocity at the start / greatest / at the end: 2423.8 / 3000 / 0 mm/min\n- joint with the motion before: limited by: criterion of accuracy\n- time: 0.459766 s"
   },
   "range": {
     "end": {
@@ -39,7 +39,7 @@ N520 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`Y 60 mm`** 2nd axis\n\nlinear axis; holds until changed\n\n---\n\n**N40 runs 1×**\n\n- position after the block: X 80 mm; Y 60 mm; Z 5 mm\n- length of the motion: 56 mm\n- G functions in force: `G01 G17 G23 G40 G53 G94 G80 G90 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`\n- technology: F 3000 mm/min\n- velocity at the start / greatest / at the end: 0 / 3000 / 0 mm/min\n- joint with the motion before: stop: angle\n- time: 1.22 s"
+    "value": "**`Y 60 mm`** 2nd axis\n\nlinear axis\n\n---\n\n**N40 runs 1×**\n\n- position after the block: X 80 mm; Y 60 mm; Z 5 mm\n- length of the motion: 56 mm\n- G functions in force: `G01 G17 G23 G40 G53 G94 G80 G90 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`\n- technology: F 3000 mm/min\n- velocity at the start / greatest / at the end: 0 / 3000 / 0 mm/min\n- joint with the motion before: stop: angle\n- time: 1.22 s"
   },
   "range": {
     "end": {

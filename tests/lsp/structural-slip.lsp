@@ -21,7 +21,7 @@ N520 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`Y 20 mm`** 2nd axis\n\nlinear axis; holds until changed\n\n---\n\n**N50 runs 1×**\n\n- position after the block: X 10 mm; Y 20 mm; Z 5 mm\n- length of the motion: unknown\n- G functions in force: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`"
+    "value": "**`Y 20 mm`** 2nd axis\n\nlinear axis\n\n---\n\n**N50 runs 1×**\n\n- position after the block: X 10 mm; Y 20 mm; Z 5 mm\n- length of the motion: unknown\n- G functions in force: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`"
   },
   "range": {
     "end": {
@@ -39,7 +39,7 @@ N520 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`X R1`** 1st axis\n\nlinear axis; holds until changed\n\n---\n\n**N70 runs 1×**\n\n- R1 before the block, as its words read it: 7\n- position after the block: X 19 mm; Y 20 mm; Z 55 mm\n- length of the motion: 50.488 mm\n- G functions in force: `G00 G17 G98 G40 G54 G94 G80 G91 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`"
+    "value": "**`X R1`** 1st axis\n\nlinear axis\n\n---\n\n**N70 runs 1×**\n\n- R1 before the block, as its words read it: 7\n- position after the block: X 19 mm; Y 20 mm; Z 55 mm\n- length of the motion: 50.488 mm\n- G functions in force: `G00 G17 G98 G40 G54 G94 G80 G91 G75 G34`\n- M functions after the block: `M05 M40 M09 M53 M48`"
   },
   "range": {
     "end": {

@@ -16,7 +16,7 @@ N60 ‹X›X5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`X 5 mm`** 1st axis\n\nlinear axis; holds until changed\n\n---\n\n**how often N60 runs is not known, execution can be followed up to N10 only**"
+    "value": "**`X 5 mm`** 1st axis\n\nlinear axis\n\n---\n\n**how often N60 runs is not known, execution can be followed up to N10 only**"
   },
   "range": {
     "end": {
