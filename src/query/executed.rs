@@ -166,7 +166,12 @@ impl Subject<'_> {
         let known = axes.filter_map(|axis| {
             let place = AxisLetter::ALL.into_iter().position(|letter| letter == axis.letter)?;
             let values = observed.positions.get(place).filter(|values| values.is_known())?;
-            Some(format!("{} {} {}", axis.letter, values.list(|value| value), if axis.rotary { "°" } else { "mm" }))
+            let mut text =
+                format!("{} {} {}", axis.letter, values.list(|value| value), if axis.rotary { "°" } else { "mm" });
+            if axis.letter == AxisLetter::X && observed.diameters.only() == Some(true) {
+                text.push_str(&format!(" (Ø {})", values.map(|radius| radius.plus(radius)).list(|value| value)));
+            }
+            Some(text)
         });
         let known: Vec<String> = known.collect();
         if known.is_empty() { Said::Unknown.text(self.lang) } else { known.join("; ") }
@@ -174,9 +179,14 @@ impl Subject<'_> {
 
     fn technology(&self, observed: &Observed) -> Vec<String> {
         let unit = observed.feed_unit.only().map_or("", |unit| unit.shown(self.lang));
+        let speed = match observed.cuts.only() {
+            Some(true) => format!("({})", Said::CuttingSpeed.text(self.lang)),
+            Some(false) => speed_unit(self.lang).to_owned(),
+            None => String::new(),
+        };
         let rows = [
             ("F", &observed.feed, unit),
-            ("S", &observed.speed, speed_unit(self.lang)),
+            ("S", &observed.speed, speed.as_str()),
             ("T", &observed.tool, ""),
             ("H", &observed.h, ""),
             ("P", &observed.p, ""),

@@ -19,6 +19,7 @@ bilingual! {
         ChangePos "moves the machine; positions are unknown after it", "pohne strojem; polohy po něm nejsou známy";
         LinearAxis "linear axis", "lineární osa";
         RotaryAxis "rotary axis", "rotační osa";
+        CuttingSpeed "constant cutting speed", "konstantní řezná rychlost";
         DynamicSet "dynamic set of G23", "sada dynamiky funkce G23";
         Reserved "reserved for functions of the control", "vyhrazen pro funkce řídicího systému";
         MayControl

@@ -12,7 +12,7 @@ use super::reach::Reach;
 use super::shown;
 use crate::analysis::plc;
 use crate::dict::Micro;
-use crate::dict::{Address, GCode, Lang, Lasting, standard_m_functions};
+use crate::dict::{Address, FeedMode, GCode, Lang, Lasting, standard_m_functions};
 use crate::resolve::Target;
 use crate::run::FeedUnit;
 use crate::syntax::{BlockId, ParsedFile, Word};
@@ -43,7 +43,11 @@ impl Subject<'_> {
             }
             (Address::M, Some(number)) => self.m_function(page, &shown_word, number),
             _ => {
-                page.heading(&shown_word, word.address.row().meaning.get(self.lang));
+                if word.address == Address::S && self.cuts(block, observed) == Some(true) {
+                    page.heading(&shown_word, &self.say(&Said::CuttingSpeed));
+                } else {
+                    page.heading(&shown_word, word.address.row().meaning.get(self.lang));
+                }
                 self.address(page, block, word);
                 if word.address == Address::T
                     && let Some(title) = word.whole().and_then(|number| tool(self.file, number))
@@ -174,17 +178,27 @@ impl Subject<'_> {
         g_functions(self.file, block).any(|(code, _)| wanted(code))
     }
 
+    /// What the function of group G6 that a block writes says of F and S.
+    fn written_mode(&self, block: BlockId) -> Option<FeedMode> {
+        let machine = &self.analysis.settings.machine;
+        g_functions(self.file, block).find_map(|(code, _)| machine.feed_mode(code))
+    }
+
+    /// Whether S is a constant cutting speed in a block.
+    fn cuts(&self, block: BlockId, observed: Option<&Observed>) -> Option<bool> {
+        let seen = observed.and_then(|observed| observed.cuts.only());
+        seen.or_else(|| self.written_mode(block).map(|mode| mode.constant_cut))
+    }
+
     /// The unit of a word's value; empty when there is none, or it is not known.
     fn unit_of_word(&self, block: BlockId, word: Word, observed: Option<&Observed>) -> &'static str {
         let writes = |wanted: &[GCode]| self.writes(block, |code| wanted.contains(&code));
         if word.address == Address::S {
-            return shown::speed_unit(self.lang);
+            return if self.cuts(block, observed) == Some(true) { "" } else { shown::speed_unit(self.lang) };
         }
         if word.address == Address::F {
             let seen = observed.and_then(|observed| observed.feed_unit.only());
-            let machine = &self.analysis.settings.machine;
-            let modes = g_functions(self.file, block).filter_map(|(code, _)| machine.feed_mode(code));
-            let written = modes.map(|mode| FeedUnit::of(mode.per, false)).next();
+            let written = self.written_mode(block).map(|mode| FeedUnit::of(mode.per, false));
             return seen.or(written).map_or("", |unit| unit.shown(self.lang));
         }
         // Factors, angles and the like.

@@ -51,6 +51,8 @@ pub(crate) struct Observed {
     armed: Option<(u64, u32)>,
     /// After the block, by letter.
     pub(crate) positions: [Values<Micro>; AxisLetter::ALL.len()],
+    /// Whether programs write twice the position of X (G74).
+    pub(crate) diameters: Values<bool>,
     /// In the block, by group.
     pub(crate) g: [Values<u8>; GGroup::ALL.len()],
     /// After the block, by group.
@@ -62,6 +64,8 @@ pub(crate) struct Observed {
     pub(crate) feed: Values<Decimal>,
     pub(crate) feed_unit: Values<FeedUnit>,
     pub(crate) speed: Values<Decimal>,
+    /// Whether the speed is a constant cutting speed.
+    pub(crate) cuts: Values<bool>,
     pub(crate) tool: Values<Decimal>,
     pub(crate) h: Values<Decimal>,
     pub(crate) p: Values<Decimal>,
@@ -419,6 +423,7 @@ impl Observed {
                 values.add(executed.position(letter));
             }
         }
+        self.diameters.add(Some(executed.state().g_in_force(GGroup::G10) == Some(GCode::G74)));
         for (values, group) in self.g.iter_mut().zip(GGroup::ALL) {
             values.add(executed.g(group).map(GCode::number));
         }
@@ -436,6 +441,7 @@ impl Observed {
         self.feed_unit.add(Some(executed.feed_unit()));
         self.feed.add(executed.feed().map(|feed| feed.value));
         self.speed.add(executed.s());
+        self.cuts.add(Some(executed.const_cut_speed()));
         self.tool.add(executed.t());
         self.h.add(executed.h());
         self.p.add(executed.p());
