@@ -343,12 +343,16 @@ mod tests {
         assert!(Topic::find_word("G73").unwrap().page(Lang::Cs).contains("Skupina G7, volání a skoky"));
     }
 
+    /// §2: axes move once; F holds.
+    #[test]
+    fn a_page_of_an_axis_does_not_say_that_it_holds() {
+        let holds = |address| Topic::Address(address).page(Lang::En).contains("- Holds");
+        assert!(!holds(Address::X) && !holds(Address::W) && holds(Address::F) && holds(Address::I));
+    }
+
     /// Trap: M07 and M08 differ by dialect.
     #[test]
     fn a_page_of_an_m_function_tells_the_dialects_apart() {
-        // §2: axes move once; F holds.
-        let holds = |address| Topic::Address(address).page(Lang::En).contains("- Holds");
-        assert!(!holds(Address::X) && !holds(Address::W) && holds(Address::F) && holds(Address::I));
         let page = Topic::M(7).page(Lang::En);
         assert!(page.contains("## CNC8x6, CNC8x9\n\n- Coolant 2 on"), "{page}");
         assert!(page.contains("CNC872\n\n- Coolant 1 on"), "{page}");

@@ -64,6 +64,19 @@ impl AxisLetters {
     }
 }
 
+/// Whether a program may use an axis letter: it has it already, or there is room for one more.
+pub fn takes_axis(machine: &Machine, parsed: &ParsedFile, letter: AxisLetter) -> bool {
+    let mut letters = AxisLetters::default();
+    if !AxisLetters::are_limited(machine) || letter.is_of_the_planes() {
+        return true;
+    }
+    letters.read(machine, parsed);
+    if letters.beside.len() < BESIDE && !letters.beside.contains(&letter) {
+        letters.beside.push(letter);
+    }
+    letters.known(machine).contains(&letter)
+}
+
 /// The bit of an address in a set of them.
 pub(super) const fn bit(address: Address) -> u32 {
     1 << (address as u8)

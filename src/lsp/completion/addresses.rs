@@ -2,6 +2,7 @@
 
 use gen_lsp_types::CompletionItemKind;
 
+use super::fitting::{takes_center, takes_letter};
 use super::items::{Entry, Items, Section};
 use super::texts::ItemText;
 use super::{Context, Source};
@@ -45,11 +46,8 @@ pub(super) fn addresses(source: &Source<'_>, context: &Context<'_>, items: &mut 
         let of_other_block = match address {
             Address::L => !flow,
             Address::Q => !flow && !codes.contains(&GCode::G04),
-            Address::Program => true,
-            Address::N
-            | Address::Skip
-            | Address::G
-            | Address::X
+            Address::I | Address::J | Address::K => !takes_center(source, context, &codes, address),
+            Address::X
             | Address::Y
             | Address::Z
             | Address::A
@@ -57,10 +55,11 @@ pub(super) fn addresses(source: &Source<'_>, context: &Context<'_>, items: &mut 
             | Address::C
             | Address::U
             | Address::V
-            | Address::W
-            | Address::I
-            | Address::J
-            | Address::K
+            | Address::W => !takes_letter(source, context, address),
+            Address::Program => true,
+            Address::N
+            | Address::Skip
+            | Address::G
             | Address::R
             | Address::Correction
             | Address::D

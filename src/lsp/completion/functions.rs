@@ -2,6 +2,7 @@
 
 use gen_lsp_types::CompletionItemKind;
 
+use super::fitting::{Part, takes_m};
 use super::items::{Entry, Items, Section};
 use super::texts::ItemText;
 use super::{Context, Source};
@@ -15,7 +16,8 @@ pub(super) fn g_functions(source: &Source<'_>, context: &Context<'_>, items: &mu
     let lang = source.lang;
     let there: Vec<GCode> = context.words().filter_map(|word| word.g_code()).collect();
     let digits = if all { Some("") } else { context.digits() };
-    for &code in GCode::ALL {
+    let part = context.block.map_or(Part::Any, |block| Part::of(source, block));
+    for &code in GCode::ALL.iter().filter(|code| part.takes_g(source, context, **code)) {
         let Some(form) = digits.and_then(|digits| two_digits(code.number(), digits)) else { continue };
         let clash = there.iter().find(|other| other.group() == code.group());
         if all && clash.is_some() {
@@ -109,7 +111,7 @@ pub(super) fn m_functions(source: &Source<'_>, context: &Context<'_>, items: &mu
         let Some(form) = digits.and_then(|digits| two_digits(function.number, digits)) else { continue };
         let row = standard_m_functions(machine.dialect).find(|row| row.number == function.number);
         let missing = function.number == 19 && !machine.oriented_stop;
-        if (row.is_none() && !function.configured) || missing {
+        if (row.is_none() && !function.configured) || missing || !takes_m(context, function.number) {
             continue;
         }
         let clash = there.iter().find(|other| machine.m_functions.group(**other) == function.group);

@@ -3,6 +3,7 @@
 
 mod addresses;
 mod context;
+mod fitting;
 mod functions;
 mod items;
 mod numbering;
@@ -15,6 +16,7 @@ mod values;
 use gen_lsp_types::{CompletionItemKind, CompletionParams, CompletionResponse};
 
 use self::context::{Context, Wanted};
+use self::fitting::Part;
 use self::items::{Entry, Items, Section};
 pub(super) use self::numbering::{next_numbers, written};
 use self::texts::ItemText;
@@ -84,7 +86,10 @@ fn fill(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
             if let Some(target) = target {
                 parameters::operations(source, context, target, items);
             }
-            parameters::parameters(source, context, items, false);
+            // The L of a G79 is written out (BLK-10).
+            if !context.words().any(|word| word.g_code() == Some(GCode::G79)) {
+                parameters::parameters(source, context, items, false);
+            }
         }
         Wanted::Address(Address::N) => next_block(source, context, items),
         Wanted::Address(Address::G) => {
@@ -111,9 +116,7 @@ fn words(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
     // The next key narrows the choice.
     items.incomplete = true;
     next_block(source, context, items);
-    if context.block.is_none() {
-        return;
-    }
+    let Some(block) = context.block else { return };
     let has_l = context.words().any(|word| word.address == Address::L);
     if !has_l {
         targets::targets(source, context, items);
@@ -121,6 +124,12 @@ fn words(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
     // G79 takes no other words but its L.
     if context.words().any(|word| word.g_code() == Some(GCode::G79)) {
         return;
+    }
+    // The first block of a unit is a G79, and behind a macrocycle there is none.
+    match Part::of(source, block) {
+        Part::Entry => return functions::g_functions(source, context, items, true),
+        Part::Behind => return,
+        Part::Main | Part::Inside | Part::Any => {}
     }
     parameters::control_words(source, context, items);
     addresses::addresses(source, context, items);

@@ -272,7 +272,7 @@ fn words_of_a_block() {
     let mut editor = Editor::new("en", "[[axes]]\nletter = \"X\"\n[[axes]]\nletter = \"C\"\n", false);
     let answer = editor.complete(&block("G01 X1 |"));
     let found = labels(&answer);
-    assert_eq!(found[..5], ["C", "I", "J", "K", "F"], "axes of the machine that are not there yet, then the rest");
+    assert_eq!(found[..2], ["C", "F"], "axes of the machine that are not there yet, then the rest");
     for absent in ["X", "Y", "L", "Q", "G00", "N30"] {
         assert!(!found.contains(&absent.to_owned()), "{absent}");
     }
@@ -283,6 +283,41 @@ fn words_of_a_block() {
     assert_eq!(editor.labels(&block("F|")), ["F"]);
     assert_eq!(editor.labels(&block("Y|")), Vec::<String>::new(), "no such axis");
     assert_eq!(editor.labels("%1\nN10 M30\nN20 G79 L5 |\nN30 G70"), Vec::<String>::new());
+}
+
+/// What the rules leave to a block: by its unit, its other words, and what is in force.
+#[test]
+fn words_that_a_block_takes() {
+    let mut editor = Editor::new("en", "dialect = \"cnc8x9\"\n", false);
+    let units = "N90 M30\nN100 G79 L1\nN110 X5\nN120 G70\n";
+    // Each: text, what is offered, what is not.
+    for (text, there, absent) in [
+        ("%1\nN10 G01 X5 |\n", "Y F G90 M03", "I J K G70 G79"),
+        ("%1\nN10 G02 X5 |\n", "I J", "K"),
+        ("%1\nN10 G02 X5 I5\nN20 X9 |\n", "I J", "K"),
+        ("%1\nN10 G09 G90\nN20 G02 X9 |\n", "I J K", ""),
+        ("%1\nN10 G23 |\n", "I", "J K"),
+        ("%1\nN10 G35 |\n", "I J K", ""),
+        ("%1\nN10 G02 G92 X1 |\n", "", "I J K"),
+        ("%1\nN10 G81\nN20 X1 |\n", "I J K", ""),
+        ("%1\nN10 M30 |\n", "G90", "G71 G72 G73"),
+        ("%1\nN10 G71 |\n", "M03", "M02 M30"),
+        ("%1\nN10 A1 U1 C1 |\n", "X", "B V W"),
+        ("%1\nN10 U1 V1 |\n", "A B C", "W"),
+        ("%1\nN10 M30\nN20 |\n", "G79", "X G00 M03"),
+    ] {
+        let text = if text.contains("M30") { text.to_owned() } else { format!("{text}{units}") };
+        let found = editor.labels(&text);
+        let offered = |label: &&str| found.contains(&(*label).to_owned());
+        let missing: Vec<_> = there.split_whitespace().filter(|label| !offered(label)).collect();
+        let wrong: Vec<_> = absent.split_whitespace().filter(offered).collect();
+        assert!(missing.is_empty() && wrong.is_empty(), "{text}: {missing:?} {wrong:?} {found:?}");
+    }
+    let sub = "%1\nN10 R3=5 M30\nN100 G79 L1\nN110 |\nN120 G70\n";
+    assert!(editor.labels(sub).contains(&"G70".to_owned()) && !editor.labels(sub).contains(&"G79".to_owned()));
+    assert_eq!(editor.labels(&sub.replace("G79 L1", "G79 LR|").replace("N110 |", "N110")), Vec::<String>::new());
+    assert_eq!(labels(&editor.complete_in("L7", "N1 |\nN2 G70\n")), ["G79"]);
+    assert_eq!(labels(&editor.complete_in("L8", "N1 G79 L8\nN2 G70\nN3 |\n")), Vec::<String>::new());
 }
 
 #[test]
