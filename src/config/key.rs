@@ -38,7 +38,19 @@ impl Key {
     /// as good as `-`.
     pub fn find(name: &str) -> Option<Self> {
         let plain = name.trim().trim_matches(['[', ']']).to_ascii_lowercase().replace('_', "-");
-        Self::all().find(|key| key.path() == plain)
+        Self::all().find(|key| key.path() == plain).or_else(|| Self::by_name(&plain))
+    }
+
+    /// A key in a table by name, `corrections.7.radius`, or the table of a name of the control, `parameters.r10`.
+    fn by_name(path: &str) -> Option<Self> {
+        let (table, name) = path.rsplit_once('.')?;
+        let upper = name.to_ascii_uppercase();
+        let takes = |section: &Section| match section.form {
+            Form::Map(names) | Form::Tables(names, _) => [name, &upper].iter().any(|name| names.number(name).is_some()),
+            Form::Keys(_) | Form::List(_) => false,
+        };
+        let is_named = |key: &Self| key.is_table() && key.section.name == table && takes(key.section);
+        Self::of(table, name).or_else(|| Self::all().find(is_named))
     }
 
     /// Its name with that of its table: `limits.feed`.
@@ -183,6 +195,23 @@ mod tests {
         assert_eq!(path("LIMITS.feed").as_deref(), Some("limits.feed"));
         assert_eq!(path("block_skip").as_deref(), Some("block-skip"));
         assert_eq!(path("[[axes]]").as_deref(), Some("axes"));
+        // As findings name them.
+        for (name, key) in [
+            ("parameters.R10", "parameters"),
+            ("power-up.G0", "power-up"),
+            ("cycles.G81", "cycles"),
+            ("machine-constants.R56", "machine-constants"),
+            ("operations.01", "operations"),
+            ("corrections.7", "corrections"),
+            ("corrections.7.radius", "corrections.radius"),
+            ("motion.times.M06", "motion.times"),
+            ("machine-macrocycles.L9001", "machine-macrocycles"),
+            ("lints.W0214", "lints"),
+            ("start.X", "start"),
+        ] {
+            assert_eq!(path(name).as_deref(), Some(key), "{name}");
+        }
+        assert_eq!(path("parameters.R96"), None);
         // A bare name is a word to search for.
         assert_eq!(path("radius"), None);
         assert_eq!(path(""), None);
