@@ -11,7 +11,10 @@ use super::reader::read;
 use super::{Axes, MFunctions, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
-use crate::text::{BrokenLink, DecodeError, Encoding, Loader, Location, SourceText, Sources, Span, without_ways_back};
+use crate::sure::small;
+use crate::text::{
+    BrokenLink, DecodeError, Encoding, Loader, Location, NotUtf8, SourceText, Sources, Span, without_ways_back,
+};
 
 /// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what
 /// the command line says, value by value (§11, §13 Configuration).
@@ -30,7 +33,7 @@ pub fn configure(
     let mut draft = Draft::new(overrides.dialect);
     let mut files = Files { loader, sources, findings };
     if let Some(path) = project {
-        files.project(path, overrides.encoding.unwrap_or_default(), &mut draft);
+        files.project(path, &mut draft);
     }
     let folder = project.and_then(Path::parent).unwrap_or(Path::new(""));
     files.macrocycles(&mut draft, folder, overrides);
@@ -159,15 +162,33 @@ struct Files<'a> {
 }
 
 impl Files<'_> {
-    /// Reads the project file into the draft; nothing when it cannot be read (E0701, at an empty text of its name).
-    fn project(&mut self, path: &Path, fallback: Encoding, draft: &mut Draft) {
-        match self.load(path, fallback).and_then(in_utf_8) {
-            Ok(source) => self.read(source, From::Key, draft),
-            Err(reason) => {
-                let at = self.nowhere(path.display().to_string());
-                self.findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
-            }
+    /// Reads the project file into the draft; nothing when it cannot be read: E0701 at the first byte that is not
+    /// UTF-8, else at an empty text of its name. Files that are not in UTF-8 come from Windows, as a rule.
+    fn project(&mut self, path: &Path, draft: &mut Draft) {
+        let (reason, at) = match self.load(path, Encoding::Windows1250) {
+            Ok(source) if source.encoding() == Encoding::Utf8 => return self.read(source, From::Key, draft),
+            Ok(source) => self.not_utf_8(source),
+            Err(reason) => (reason, self.nowhere(path.display().to_string())),
+        };
+        self.findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
+    }
+
+    /// TOML is UTF-8 and nothing else.
+    fn not_utf_8(&mut self, source: SourceText) -> (ConfigProblem, Location) {
+        if source.encoding().is_utf16() {
+            return (ConfigProblem::Utf16, self.nowhere(source.name().to_owned()));
         }
+        // In a code page each character is a byte.
+        let bytes = source.encoding().encode(source.text());
+        let first = std::str::from_utf8(&bytes).err().map_or(0, |error| error.valid_up_to());
+        let byte = bytes.get(first).copied().unwrap_or_default();
+        let mut from = source.text().char_indices().skip(first).map(|(at, _)| small(at));
+        let span = Span::new(from.next().unwrap_or(source.len()), from.next().unwrap_or(source.len()));
+        let line = source.lines().line_at(span.start) + 1;
+        let reason = not_utf_8(NotUtf8 { line, byte });
+        drop(bytes);
+        let file = self.sources.add(source);
+        (reason, Location { file, span })
     }
 
     fn read(&mut self, source: SourceText, from: From, draft: &mut Draft) {
@@ -252,7 +273,7 @@ impl Files<'_> {
         let encoding = declared_encoding(&bytes).unwrap_or(fallback);
         SourceText::decode(name, bytes, encoding).map_err(|error| match error {
             DecodeError::TooLarge => ConfigProblem::TooLarge,
-            DecodeError::NotUtf8(_) => ConfigProblem::NotUtf8,
+            DecodeError::NotUtf8(byte) => not_utf_8(byte),
         })
     }
 }
@@ -271,9 +292,8 @@ fn set_text(values: &[(String, String)]) -> String {
     text
 }
 
-/// TOML is UTF-8 and nothing else.
-fn in_utf_8(source: SourceText) -> Result<SourceText, ConfigProblem> {
-    if source.encoding() == Encoding::Utf8 { Ok(source) } else { Err(ConfigProblem::NotUtf8) }
+fn not_utf_8(NotUtf8 { line, byte }: NotUtf8) -> ConfigProblem {
+    ConfigProblem::NotUtf8 { line, byte: format!("{byte:02X}h") }
 }
 
 /// Why the file of that name cannot be read.

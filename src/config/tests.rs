@@ -546,8 +546,9 @@ fn encodings_of_the_files() {
     // TOML is UTF-8: in another code page names would be other names.
     let loader = MemoryLoader::new().with("cnc872c.toml", b"# p\xfd\xa1ruba\nblock-skip = 5\n".to_vec());
     let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
-    assert_eq!(run.found(), [(Code::E0701, "")]);
-    assert_eq!(run.findings[0].finding, Finding::UnreadableConfiguration { reason: ConfigProblem::NotUtf8 });
+    assert_eq!(run.found(), [(Code::E0701, "ý")], "as Windows writes it");
+    let reason = ConfigProblem::NotUtf8 { line: 1, byte: "FDh".to_owned() };
+    assert_eq!(run.findings[0].finding, Finding::UnreadableConfiguration { reason });
 }
 
 /// R56 as the control shows it is a number with three decimals; as a text it is its digits.

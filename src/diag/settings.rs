@@ -16,7 +16,9 @@ bilingual! {
             "{name} je odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
         Utf16 "it is in UTF-16; it must be in UTF-8", "je v kódování UTF-16; musí být v UTF-8";
-        NotUtf8 "it is not in UTF-8", "není v kódování UTF-8";
+        NotUtf8 { line: usize, byte: String }
+            "it is not in UTF-8, byte {byte} in line {line}; it must be in UTF-8",
+            "není v kódování UTF-8, bajt {byte} na řádku {line}; musí být v UTF-8";
         NotToml "this is not TOML", "toto není TOML";
         KeyTwice { key: String } "`{key}` is defined twice", "{key} je zde dvakrát";
         ListAsTable { key: String }
