@@ -38,7 +38,10 @@ impl Doubts<'_> {
                 let unread = || self.unread_number(l);
                 self.parametric(GCode::G71, None).or_else(|| self.unclear(GCode::G71, l)).or_else(unread)
             }
-            Name::Macrocycle(l) => Some(NavigationText::MacrocycleFile { l }),
+            Name::Macrocycle(l) => Some(match self.key_of_macrocycle(l) {
+                Some(key) => NavigationText::MacrocycleConfigured { l, key },
+                None => NavigationText::MacrocycleFile { l },
+            }),
             Name::Parameter(r) => self.parameter(r),
         }
     }
@@ -65,6 +68,14 @@ impl Doubts<'_> {
                 self.reach.files().any(used).then_some(NavigationText::ParameterUsed { r })
             }),
         }
+    }
+
+    /// The key of the project file that names a macrocycle.
+    fn key_of_macrocycle(&self, l: u32) -> Option<String> {
+        let machine = &self.reach.analysis.settings.machine;
+        let cycle = machine.cycles.iter().find(|(_, mapped)| **mapped == l);
+        let cycle = cycle.map(|(number, _)| format!("cycles.G{number}"));
+        cycle.or_else(|| machine.macrocycles.contains_key(&l).then(|| format!("machine-macrocycles.L{l}")))
     }
 
     fn document(&self) -> Option<&ParsedFile> {
