@@ -158,7 +158,9 @@ impl<'t> Reader<'t> {
         let mut found: Vec<(u16, Entry<'v>)> = Vec::new();
         for entry in self.entries(table.table) {
             let Some(number) = names.number(entry.name) else {
-                self.unknown(entry.name, entry.key, names.near(entry.name), Some(names.known()));
+                let misplaced = is_misplaced(table, entry.name).then_some(KnownNames::BeforeTables);
+                let known = misplaced.unwrap_or(names.known());
+                self.unknown(entry.name, entry.key, names.near(entry.name), Some(known));
                 continue;
             };
             match found.iter().find(|(other, _)| *other == number) {
@@ -186,6 +188,7 @@ impl<'t> Reader<'t> {
                     has_it && matches!(section.form, Form::Keys(_)) && !section.name.is_empty()
                 });
                 let (near, known) = match of {
+                    _ if is_misplaced(table, entry.name) => (None, Some(KnownNames::BeforeTables)),
                     Some(section) => (None, Some(KnownNames::OfTable { table: section.name.to_owned() })),
                     None => (nearest(entry.name, known.iter().copied()), None),
                 };
@@ -456,6 +459,11 @@ impl<'t> Reader<'t> {
             slot.get_or_insert_default();
         }
     }
+}
+
+/// Whether a key in a table is one of those before all tables.
+fn is_misplaced(table: Table<'_>, name: &str) -> bool {
+    !table.path.is_empty() && ROOT.form.rows().iter().any(|row| row.name == name)
 }
 
 /// A range of the parser as a span.

@@ -316,7 +316,12 @@ fn unknown_keys() {
     ] {
         assert_eq!(Run::one(text), (Code::W0705, at.to_owned()), "{text}");
     }
-    for (text, note) in [("angle-deg = 60", "[motion]"), ("[motion]\nindent = 4", "[format]")] {
+    for (text, note) in [
+        ("angle-deg = 60", "[motion]"),
+        ("[motion]\nindent = 4", "[format]"),
+        ("[limits]\nfeed = 5000\nblock-skip = true", "před první tabulku"),
+        ("[parameters]\nencoding = 'cp852'", "před první tabulku"),
+    ] {
         let run = Run::of(text, &Overrides::default());
         assert!(run.findings[0].finding.note(Lang::Cs).unwrap().contains(note), "{text}");
     }

@@ -169,6 +169,9 @@ bilingual! {
         Constants "machine constants are R0 to R999", "strojní konstanty jsou R0 až R999";
         Axes "axes are X, Y, Z, A, B, C, U, V, W", "osy jsou X, Y, Z, A, B, C, U, V, W";
         OfTable { table: String } "the key belongs under `[{table}]`", "klíč patří pod [{table}]";
+        BeforeTables
+            "the key belongs before the first table",
+            "klíč patří před první tabulku";
         Lints "`cnc872c explain` lists all codes and names", "všechny kódy a jména vypíše „cnc872c explain“";
     }
 }
