@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 
 use super::Overrides;
 use super::draft::Draft;
+use super::key::Key;
 use super::motion::From;
 use super::reader::read;
 use super::sections::{Form, ROOT, SECTIONS, Section};
@@ -86,7 +87,8 @@ fn unknown_keys(section: &Section, values: &Map<String, Value>) -> Vec<String> {
     unknown.map(|(name, value)| format!("{}: {value}", key_of(section, name))).collect()
 }
 
-/// Names that nearly are those of settings: `dialec`. Others are somebody else's.
+/// Names that nearly are those of settings, `dialec`, and keys of the project file that have no effect here: `axes`,
+/// `limits.records` in one word. Others are somebody else's.
 fn misspelt(settings: &Map<String, Value>) -> Vec<String> {
     let rows = ROOT.form.rows().iter().filter(|row| row.option.is_some()).map(|row| row.name);
     let tables = SECTIONS.iter().filter(|section| !section.name.is_empty());
@@ -98,7 +100,19 @@ fn misspelt(settings: &Map<String, Value>) -> Vec<String> {
         let plain = name.to_lowercase().replace('_', "-");
         known.iter().copied().find(|known| strsim::osa_distance(&plain, known) <= SLIPS && plain.len() > SLIPS + 1)
     };
-    unknown.filter_map(|(name, _)| Some(format!("{name} ({}?)", near(name)?))).collect()
+    let said = unknown.filter_map(|(name, value)| match near(name) {
+        Some(near) => Some(format!("{name} ({near}?)")),
+        None => is_of_projects(name).then(|| format!("{name}: {value}")),
+    });
+    said.collect()
+}
+
+/// Whether it is a key of the project file that no extension has for something else, as `motion`.
+fn is_of_projects(name: &str) -> bool {
+    let is_table = |section: &Section| section.name == name && !matches!(section.form, Form::Keys(_));
+    SECTIONS.iter().any(is_table)
+        || ROOT.form.rows().iter().any(|row| row.name == name)
+        || (name.contains('.') && Key::find(name).is_some_and(|key| !key.is_table()))
 }
 
 /// The settings of one table: those before all tables, `{"limits": {…}}`.
@@ -179,6 +193,10 @@ mod tests {
     fn misspelt_names() {
         let (_, wrong) = read(&json!({ "dialec": "cnc872", "block_skip": true, "inlayHints": false, "trace": {} }));
         assert_eq!(wrong, ["block_skip (block-skip?)", "dialec (dialect?)"]);
+        let settings = json!({ "limits.records": 2, "axes": [], "g97": "per-minute", "motion": { "dots": true } });
+        let (_, mut wrong) = read(&settings);
+        wrong.sort_unstable();
+        assert_eq!(wrong, ["axes: []", "g97: \"per-minute\"", "limits.records: 2"], "no setting, but of project files");
     }
 
     /// A part of a key that cannot be used does not hide the rest.
