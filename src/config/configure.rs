@@ -107,12 +107,6 @@ fn check_machine(draft: &Draft, findings: &mut Findings) {
         let needs = ConfigNeed::NoSuchAxis { letter: letter.name().to_owned(), axes: machine.axes.letters() };
         misfit(findings, key, at, needs);
     }
-    for (key, end, at) in &draft.gear_ends {
-        if *end > machine.limits.speed {
-            let needs = ConfigNeed::Whole { min: 0, max: i64::from(machine.limits.speed) };
-            misfit(findings, *key, *at, needs);
-        }
-    }
 }
 
 /// M functions at power-up, by the groups of the whole configuration (MFN-7).

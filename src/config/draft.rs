@@ -85,8 +85,6 @@ pub(super) struct Draft {
     pub axes: Vec<(Axis, Place)>,
     /// The gears, each M once, at their M.
     pub gears: Vec<(u8, Location)>,
-    /// The ends of all gears by key: they may reach `limits.speed`.
-    pub gear_ends: Vec<(&'static str, u32, Location)>,
     /// Letters under `machine-macrocycles`, with the number of the macrocycle.
     pub moved_axes: Vec<(u32, AxisLetter, Location)>,
     /// Folders of macrocycles as written.

@@ -10,13 +10,16 @@ use super::near::nearest;
 use super::number::{parse_decimal, parse_rounding};
 use super::row::{Default, Row};
 use super::sections::{Form, ROOT, SECTIONS, Section};
-use super::takes::{HIGHEST_M, List, Takes, lasting};
+use super::takes::{HIGHEST_M, List, Takes, lasting, whole};
 use super::toml_problem::toml_problem;
 use super::{Axis, Gear, MayMove};
 use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, KnownNames, LabelText, NameKind, shown};
 use crate::dict::{AxisLetter, Decimal};
 use crate::sure::small;
 use crate::text::{FileId, Location, SourceText, Span};
+
+/// The table whose values bound those of others.
+const LIMITS: &str = "limits";
 
 /// A key of a table and what it holds.
 #[derive(Clone, Copy)]
@@ -80,7 +83,10 @@ impl<'t> Reader<'t> {
         known.extend(section.children().map(Section::own_name));
         self.values(table, rows, &known);
         (section.done)(self, table.at);
-        for child in section.children() {
+        // Limits first: gears go up to `limits.speed`.
+        let mut children: Vec<_> = section.children().collect();
+        children.sort_by_key(|child| child.name != LIMITS);
+        for child in children {
             if let Some(entry) = self.entry(table.table, child.own_name()) {
                 self.section(child, entry);
             }
@@ -210,21 +216,27 @@ impl<'t> Reader<'t> {
     /// Puts the value of an entry into its field when `takes` takes it; else it is reported.
     fn take(&mut self, table: Table<'_>, entry: Entry<'_>, takes: Takes) {
         let path = format!("{}{}", table.path, entry.name);
+        let takes = match (takes, path.as_str()) {
+            (Takes::Whole { min, set, .. }, "gears.min" | "gears.max") => {
+                whole(min, i64::from(self.draft.settings.machine.limits.speed), set)
+            }
+            (takes, _) => takes,
+        };
         self.draft.place = Place { key: entry.key, at: entry.at, from: self.from };
         let value = entry.item.as_value();
         let text = value.and_then(Value::as_str);
-        let whole = value.and_then(Value::as_integer);
+        let integer = value.and_then(Value::as_integer);
         let taken = match takes {
             Takes::Flag(set) => value.and_then(Value::as_bool).map(|flag| set(self.draft, flag)),
             Takes::Path(set) => text.map(|path| set(self.draft, path.to_owned())),
             Takes::OneOf(choices, set) => {
                 text.filter(|text| choices().contains(text)).map(|text| set(self.draft, text))
             }
-            Takes::Whole { min, max, set } => whole
+            Takes::Whole { min, max, set } => integer
                 .filter(|&number| number >= min && max.is_none_or(|max| number <= max))
                 .map(|number| set(self.draft, number)),
-            Takes::MFunction => whole.filter(|m| (0..=HIGHEST_M).contains(m)).map(|m| self.draft.set_m_power_up(m)),
-            Takes::GFunction(group) => whole
+            Takes::MFunction => integer.filter(|m| (0..=HIGHEST_M).contains(m)).map(|m| self.draft.set_m_power_up(m)),
+            Takes::GFunction(group) => integer
                 .and_then(|number| lasting(group).find(|code| i64::from(code.number()) == number))
                 .map(|code| self.draft.set_power_up(code)),
             Takes::Number { min, max, set } => self
@@ -425,10 +437,6 @@ impl<'t> Reader<'t> {
     pub(super) fn gear(&mut self, _: Location) {
         let gear = std::mem::take(&mut self.draft.gear);
         self.ordered("gears", gear.min, gear.max);
-        for (key, end) in [("gears.min", gear.min), ("gears.max", gear.max)] {
-            let at = self.at(key);
-            self.draft.gear_ends.extend(end.map(|end| (key, end, at)));
-        }
         let Some(m) = gear.m else { return };
         let at = self.at("gears.m");
         if let Some((_, first)) = self.draft.gears.iter().find(|(other, _)| *other == m) {

@@ -4,7 +4,7 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use super::*;
-use crate::diag::{Code, ConfigProblem, Diagnostic, Finding, Findings};
+use crate::diag::{Code, ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings};
 use crate::dict::{AxisLetter, Decimal, Dialect, GCode, Lang, Operation};
 use crate::text::{Encoding, Loader, MemoryLoader, Sources};
 
@@ -621,6 +621,21 @@ fn messages() {
         let run = Run::of(text, &Overrides::default());
         assert_eq!(run.findings[0].finding.message(Lang::En), en);
         assert_eq!(run.findings[0].finding.message(Lang::Cs), cs);
+    }
+}
+
+/// Both ends of a gear have one limit, wherever `limits.speed` stands, and whatever is wrong with them.
+#[test]
+fn gears_reach_the_speed_of_the_limits() {
+    for (limits, max) in [("", 9999), ("[limits]\nspeed = 20000", 20_000)] {
+        let text = format!("[[gears]]\nm = 41\nmin = 20000.5\nmax = 20001\n{limits}");
+        let run = Run::of(&text, &Overrides::default());
+        let wrong = |key: &str| {
+            let needs = ConfigNeed::Whole { min: 0, max };
+            Finding::ConfigurationValue { key: key.to_owned(), needs }
+        };
+        let found: Vec<_> = run.findings.iter().map(|found| found.finding.clone()).collect();
+        assert_eq!(found, [wrong("gears.min"), wrong("gears.max")], "{text}");
     }
 }
 
