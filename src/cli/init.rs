@@ -94,7 +94,7 @@ impl Folders {
     }
 
     /// Whether programs would find another macrocycle than the one meant for them, if all folders were searched: a
-    /// number is there twice, or programs stand beside macrocycles, and others elsewhere.
+    /// number is there twice, or some programs are beside macrocycles, and some elsewhere.
     fn is_ambiguous(&self) -> bool {
         let is_shared = self.programs.iter().any(|folder| self.macrocycles.contains(folder));
         let numbers: HashSet<_> = self.numbers.iter().collect();

@@ -229,7 +229,7 @@ fn shifts_and_what_is_near() {
     );
 }
 
-/// CMP-3: X of a lathe is told as a diameter, too.
+/// CMP-3: X of a lathe has its diameter.
 #[test]
 fn diameters() {
     let lathe = "%1\nN10 G74 G90 G00 X100 Z50 T1 M06\nN20 S1000 M3 F200\nN30 G1 X40\nN40 G00 X100\nN50 M30\n";
