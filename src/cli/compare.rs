@@ -40,6 +40,9 @@ pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure>
     if let Some(folder) = [&args.old, &args.new].into_iter().find(|path| path.is_dir()) {
         return Err(Words::CompareFolder { folder: folder.display().to_string() }.into());
     }
+    if is_stdin(&args.old) && is_stdin(&args.new) {
+        return Err(Words::StdinTwice.into());
+    }
     check_page(args.output.as_deref())?;
     let computes_motion = args.output.is_some();
     let overrides = Overrides { computes_motion, ..overrides(&args.common, locale.lang)? };

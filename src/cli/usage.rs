@@ -111,10 +111,10 @@ fn what(error: &clap::Error, lang: Lang) -> String {
 /// Why a value cannot be read: the library speaks English only.
 fn reason(why: &str, lang: Lang) -> String {
     let (en, cs) = match why.rsplit_once(" is not in ").and_then(|(_, range)| range.split_once("..")) {
-        // What has a greatest value that is no matter of the computer.
-        Some((least, most)) => match most.trim_start_matches('=').parse::<u8>() {
-            Ok(most) => (format!("it is {least} to {most}"), format!("smí to být {least} až {most}")),
-            Err(_) => (format!("it is at least {least}"), format!("nejmenší hodnota je {least}")),
+        // The greatest number of the computer is no limit that a user knows.
+        Some((least, most)) => match most.trim_start_matches('=').parse() {
+            Ok(most @ 0..u32::MAX) => (format!("it is {least} to {most}"), format!("smí to být {least} až {most}")),
+            Ok(u32::MAX) | Err(_) => (format!("it is at least {least}"), format!("nejmenší hodnota je {least}")),
         },
         None if why.contains("invalid digit") || why.contains("from empty string") => {
             ("it is a whole number".to_owned(), "má to být celé číslo".to_owned())

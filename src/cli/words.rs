@@ -236,6 +236,9 @@ bilingual! {
         Place { text: String }
             "{text}",
             "{text}";
+        StdinTwice
+            "standard input can be read once only: name a file for the other program",
+            "standardní vstup lze číst jen jednou: druhý program zadat souborem";
         CompareFolder { folder: String }
             "{folder} is a folder: compare takes two programs or two folders",
             "{folder} je složka: compare porovnává dva programy nebo dvě složky";

@@ -261,6 +261,7 @@ fn summaries() {
     place.run(&["compare", "old", "old"]).ends(0);
     place.run(&["compare", "old", "new", "--format", "json"]).ends(2).says("--format json");
     place.run(&["compare", "old", "new/a.nc"]).ends(2).says("two folders");
+    place.run(&["compare", "-", "-"]).ends(2).says("standard input can be read once only");
     place.put("new/a.nc", BAD);
     let run = place.run(&["--lang", "cs", "compare", "old", "new"]).ends(2);
     assert!(run.stdout.starts_with("a.nc      chyby\n") && run.stderr.contains("E0306"), "{run:?}");
