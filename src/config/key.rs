@@ -102,7 +102,8 @@ impl Key {
         self.path() != CHANNEL_CONFIG || dialect.has_channel_config()
     }
 
-    /// The line of the project file that sets it to its default on that control, or to an example; of a table the line that begins it.
+    /// The line of the project file that sets it to its default on that control, or to an example; of a table the line
+    /// that begins it.
     pub fn line(&self, dialect: Dialect) -> String {
         match (self.row, self.section.form) {
             (Some(row), _) => row.line(dialect),

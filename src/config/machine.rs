@@ -314,8 +314,8 @@ pub struct Settings {
     pub format: Style,
     /// How many findings of each code are kept for each file.
     pub findings: usize,
-    /// The options that change the execution, as [`Overrides::arguments`](super::Overrides) gives them: with them a page
-    /// says how to start at a block.
+    /// The options that change the execution, as [`Overrides::arguments`](super::Overrides) gives them: with them a
+    /// page says how to start at a block.
     pub arguments: Vec<String>,
 }
 

@@ -171,8 +171,8 @@ pub(super) fn rename(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Re
     Ok(json!({ "documentChanges": changes }))
 }
 
-/// Why macrocycle `l` in the file at `target` cannot be number `new`: another one has it, or something means it already.
-/// `renamed`: the numbers that get others at the same time.
+/// Why macrocycle `l` in the file at `target` cannot be number `new`: another one has it, or something means it
+/// already. `renamed`: the numbers that get others at the same time.
 fn against(snapshot: &Snapshot, l: u32, new: u32, target: &Path, renamed: &[u32]) -> Option<NavigationText> {
     if new == l {
         return None;

@@ -22,8 +22,8 @@ use crate::text::FileId;
 
 /// Most blocks that are executed to answer a request.
 pub(crate) const MOST: u64 = 2_000_000;
-/// For a request that somebody waits for at the pointer, beside others: most blocks that are executed, and most that are
-/// looked at one by one.
+/// For a request that somebody waits for at the pointer, beside others: most blocks that are executed, and most that
+/// are looked at one by one.
 const SOON: Limits = Limits { executed: 1 << 19, looked_at: 1 << 15 };
 /// Blocks looked at between two questions whether the answer is still wanted.
 const PERIOD: u64 = 1 << 12;

@@ -1,4 +1,5 @@
-//! Facts about the points of a file together: its blocks with axis words and at most a G00 or G01, nearly all of a long program.
+//! Facts about the points of a file together: its blocks with axis words and at most a G00 or G01, nearly all of a long
+//! program.
 
 use super::axis_letters::bit;
 use crate::dict::Address;

@@ -253,8 +253,8 @@ impl Resolved {
         below.into_iter().chain(above).map(|(found, _)| *found).min_by_key(|found| found.abs_diff(number))
     }
 
-    /// A block of the unit whose number is one slip from `number`, which fits between its neighbours, where its own does
-    /// not.
+    /// A block of the unit whose number is one slip from `number`, which fits between its neighbours, where its own
+    /// does not.
     pub(super) fn misnumbered_block(&self, unit: &Unit, number: u32) -> Option<u32> {
         let file = self.file(unit.file)?;
         let fits = |at: BlockId| is_between(file, at, number) && !rises(file, at);

@@ -7,8 +7,8 @@ use crate::dict::{AxisLetter, Decimal, Micro};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Target {
     pub unknown: UnknownAxes,
-    /// The height of the place, where nothing but a rapid of the program says that the tool is clear there: nothing may be
-    /// worked at that height behind it, with the same tool and origin.
+    /// The height of the place, where nothing but a rapid of the program says that the tool is clear there: nothing may
+    /// be worked at that height behind it, with the same tool and origin.
     pub level: Option<Micro>,
     pub approach: Approach,
 }

@@ -10,7 +10,8 @@ use crate::diag::{Diagnostic, Finding, LabelText};
 use crate::dict::{Decimal, GCode, GEAR_BY_SPEED, GEAR_GROUP, GEARS, GGroup};
 use crate::syntax::Word;
 
-/// The gear in a block with these functions. Under M40 one of the table stays as it was while S is no speed of the spindle.
+/// The gear in a block with these functions. Under M40 one of the table stays as it was while S is no speed of the
+/// spindle.
 pub(super) fn in_block(machine: &Machine, state: &State, g: &InForce) -> Option<u8> {
     let by_speed = state.m(GEAR_GROUP) == Some(GEAR_BY_SPEED);
     if by_speed && !machine.gears.is_empty() && is_cutting_speed(machine, g) {

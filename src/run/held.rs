@@ -165,8 +165,8 @@ impl State {
         self.lose_moved_unseen();
     }
 
-    /// Becomes what is in force after `block`, from what was before it; what findings name and what they said already is
-    /// left out.
+    /// Becomes what is in force after `block`, from what was before it; what findings name and what they said already
+    /// is left out.
     #[inline]
     pub fn follow(&mut self, block: &Executed<'_>) {
         let after = block.state();

@@ -119,8 +119,8 @@ pub(super) fn with_origin(state: &State, diagnostic: Diagnostic, word: Word) -> 
     }
 }
 
-/// The value of a parameter read at `place`; notes the first read of one that the program never assigned, and reports it
-/// when nobody gave it a value (PAR-5).
+/// The value of a parameter read at `place`; notes the first read of one that the program never assigned, and reports
+/// it when nobody gave it a value (PAR-5).
 fn read(site: &mut Site<'_>, state: &mut State, index: u8, place: Location) -> Option<Decimal> {
     let parameter = state.parameters.get(usize::from(index)).copied()?;
     if matches!(parameter.origin, Origin::Machine | Origin::Configured)

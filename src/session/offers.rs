@@ -307,7 +307,8 @@ fn of_word(file: &ParsedFile, at: Span, finding: &Finding) -> Option<Vec<Fix>> {
     } else if let Finding::SignNotAllowed { key, .. } = finding {
         let number = file.source.slice(at).trim_start_matches(['+', '-', ' ', '\t']);
         let title = FixTitle::Write { text: format!("{}{number}", letter()) };
-        // Of functions, and of 0, it is not sure enough that the number is right; a minus may be that of another letter.
+        // Of functions, and of 0, it is not sure enough that the number is right; a minus may be that of another
+        // letter.
         let meant = number.bytes().all(|byte| byte.is_ascii_digit()) && number.bytes().any(|byte| byte != b'0');
         let function = matches!(word.address, Address::G | Address::M) || file.source.slice(at).starts_with('-');
         let digit = (!key.is_empty()).then(|| write(file, word.span(text), key.clone()));
@@ -338,8 +339,8 @@ fn instead_of_return(file: &ParsedFile, unit: Unit) -> Option<Vec<Fix>> {
     Some(write(file, word.span(file.source.text()), "M30".to_owned()))
 }
 
-/// Without a word and the blanks before it; not when nothing else is in its block, nor right behind a number, of which its
-/// letter may be a digit: `Z-7.l25`.
+/// Without a word and the blanks before it; not when nothing else is in its block, nor right behind a number, of which
+/// its letter may be a digit: `Z-7.l25`.
 fn delete_word(file: &ParsedFile, block: BlockId, word: Word) -> Option<Vec<Fix>> {
     let words = file.words(block);
     let twice =

@@ -11,8 +11,8 @@ pub(crate) fn is_unsafe(character: char) -> bool {
             | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
 }
 
-/// Writes a part of a string of JSON in which nothing else is to be escaped: what is unsafe as `\uXXXX`, which means the
-/// same to every reader of JSON.
+/// Writes a part of a string of JSON in which nothing else is to be escaped: what is unsafe as `\uXXXX`, which means
+/// the same to every reader of JSON.
 pub(crate) fn write_json_safe<W: ?Sized + Write>(out: &mut W, fragment: &str) -> io::Result<()> {
     if !fragment.contains(is_unsafe) {
         return out.write_all(fragment.as_bytes());

@@ -488,7 +488,8 @@ fn hidden_differences() {
         ("GR10 X1\nG90 G01 X5\nZ-20", "GR10 X1\nG90 G01 X50\nZ-40", "X 5 → 50"),
         ("GR10 X1\nG90 G01 X5 F90", "GR10 X1\nG90 G01 X5 F80", "F 90 → 80"),
         ("G81 XR10\nG80", "G82 XR10\nG80", "G8"),
-        // Nothing more than that is done: a repetition, a copy, what nothing reads, where an axis has its reference point.
+        // Nothing more than that is done: a repetition, a copy, what nothing reads, where an axis has its reference
+        // point.
         ("G01 X5 FR10\nX6 FR10", "G01 X5 FR10\nX6", "the programs do the same"),
         ("R12=R10\nG01 XR12", "G01 XR10", "the programs do the same"),
         ("R12=R10\nG01 X-R12", "R12=-R10\nG01 XR12", "the programs do the same"),
@@ -515,8 +516,8 @@ fn hidden_differences() {
     }
 }
 
-/// CMP-1, CMP-4: a word that holds on, or whose block moves in both programs, is told beside blocks that only one has; what
-/// a loop executes again is one change.
+/// CMP-1, CMP-4: a word that holds on, or whose block moves in both programs, is told beside blocks that only one has;
+/// what a loop executes again is one change.
 #[test]
 fn words_beside_blocks_of_one_program() {
     for (old, new, expected) in [

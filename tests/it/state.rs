@@ -151,7 +151,8 @@ fn compare(state: &Value, record: &Value, end: bool, at: &Value, context: &dyn F
     }
 }
 
-/// FLW-12: behind a block that calls a macrocycle of the machine, what it may move is not known, as before the next one.
+/// FLW-12: behind a block that calls a macrocycle of the machine, what it may move is not known, as before the next
+/// one.
 #[test]
 fn behind_a_macrocycle_of_the_machine() {
     let settings = "[machine-macrocycles]\nL9500 = { axes = [\"Z\"] }\nL9501 = {}\n[cycles]\nG84 = 9500\n";

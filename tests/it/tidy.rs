@@ -12,6 +12,9 @@ const LONGEST: usize = 650;
 /// Longest function in `src`, in lines.
 const LONGEST_FUNCTION: usize = 80;
 
+/// Widest comment, in columns.
+const WIDEST: usize = 120;
+
 /// Which top-level modules each may use.
 const LAYERS: [(&str, &[&str]); 23] = [
     ("sure", &[]),
@@ -240,6 +243,18 @@ fn every_function_is_short() {
                 wrong.push(format!("{}: {name} has {length} lines, at most {LONGEST_FUNCTION}", source.name));
             }
         }
+    }
+    fail_with(&wrong);
+}
+
+/// Comments end at column 120; rows of tables cannot be broken.
+#[test]
+fn comments_are_narrow() {
+    let wide = |line: &&str| line.chars().count() > WIDEST && line.trim_start().starts_with("//");
+    let mut wrong = Vec::new();
+    for Source { name, text } in ["src", "tests", "benches", "examples"].into_iter().flat_map(sources) {
+        let lines = text.lines().filter(wide).filter(|line| !line.contains(" | "));
+        wrong.extend(lines.map(|line| format!("{name}: {line}")));
     }
     fail_with(&wrong);
 }

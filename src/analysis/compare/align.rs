@@ -1,5 +1,5 @@
-//! Which step of one program is which of the other: the same motions first, between them the same steps, then those that
-//! move by the same increments, then those of one kind that are near each other (CMP-2).
+//! Which step of one program is which of the other: the same motions first, between them the same steps, then those
+//! that move by the same increments, then those of one kind that are near each other (CMP-2).
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -42,7 +42,8 @@ type Runs = (Range<usize>, Range<usize>);
 /// What steps of two runs may have in common, in the order of trying.
 #[derive(Clone, Copy, Eq, PartialEq)]
 enum Alike {
-    /// Motions may be the same: where these and the words between them changed places, the words stand elsewhere (CMP-4).
+    /// Motions may be the same: where these and the words between them changed places, the words stand elsewhere
+    /// (CMP-4).
     Motions,
     /// Steps may be the same.
     Exact,
@@ -147,8 +148,8 @@ impl Aligner<'_> {
         self.refine((before..from.end, after..to.end), Alike::Motions, give);
     }
 
-    /// Whether most steps move by the same increments in their places: a shift. Some of the shifted points may be points
-    /// of the other program too, elsewhere.
+    /// Whether most steps move by the same increments in their places: a shift. Some of the shifted points may be
+    /// points of the other program too, elsewhere.
     fn is_shifted(&self, from: &Range<usize>, to: &Range<usize>) -> bool {
         if from.len() != to.len() {
             return false;

@@ -333,9 +333,9 @@ impl<'s> Grouping<'s> {
         a.abs_diff(b) > self.tolerances.position.millionths().unsigned_abs()
     }
 
-    /// A run without counterpart is blocks added or removed when it moves; else each of its words counts by itself. A word
-    /// of a moving run counts by itself, too, where what it set holds in one program alone behind the run, and where
-    /// its block moves in both. `beside`: the steps of the other program in its place.
+    /// A run without counterpart is blocks added or removed when it moves; else each of its words counts by itself. A
+    /// word of a moving run counts by itself, too, where what it set holds in one program alone behind the run, and
+    /// where its block moves in both. `beside`: the steps of the other program in its place.
     fn end_run(&mut self, side: usize, run: Vec<usize>, beside: Range<usize>) {
         if run.is_empty() {
             return;

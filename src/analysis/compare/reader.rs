@@ -279,8 +279,8 @@ impl StepReader {
         let ends = |letter: &AxisLetter| moves.moves(*letter) || plane.is_some_and(|plane| plane.contains(letter));
         for letter in AxisLetter::ALL.into_iter().filter(ends) {
             let bit = 1 << (letter as u16);
-            // From where an origin or a correction left it, an axis moves though its position stays, and by distances it
-            // comes where nobody knows (MOT-8).
+            // From where an origin or a correction left it, an axis moves though its position stays, and by distances
+            // it comes where nobody knows (MOT-8).
             let stale = moves.is_stale_along(letter);
             let end = if moves.moves(letter) { moves.end(letter) } else { block.position(letter) };
             let known = end.filter(|_| !(stale && by_distance));
@@ -317,8 +317,8 @@ impl StepReader {
     }
 }
 
-/// The groups whose functions a macrocycle of the machine and a fixed cycle inherit (FLW-10). A cycle does not inherit the
-/// first: it moves by itself.
+/// The groups whose functions a macrocycle of the machine and a fixed cycle inherit (FLW-10). A cycle does not inherit
+/// the first: it moves by itself.
 pub(super) const INHERITED: [GGroup; 4] = [GGroup::G0, GGroup::G1, GGroup::G9, GGroup::G10];
 
 fn function_event(group: usize, number: u8, lasts: bool) -> Event {

@@ -356,8 +356,8 @@ impl<'t> Around<'t> {
         self.words.iter().filter_map(|word| word.g_code())
     }
 
-    /// Whether the word at a place may have meant that number: its address takes it; there is such a G function, and the
-    /// others of the block leave room for it.
+    /// Whether the word at a place may have meant that number: its address takes it; there is such a G function, and
+    /// the others of the block leave room for it.
     fn may_mean(&self, address: Address, at: u32, number: Number) -> bool {
         let mut ranges = Dialect::ALL.iter().flat_map(|dialect| address.ranges(*dialect)).flatten().peekable();
         let in_range = ranges.peek().is_none() || ranges.any(|range| range.contains(number.value));

@@ -78,8 +78,8 @@ fn addressed(text: &str) -> Option<Address> {
     Address::from_byte(first)
 }
 
-/// Whether a word of the address was probably meant: an axis, or what a function of the block needs: `G71 LX`, `G04 QX`,
-/// `G02 X5 IX`.
+/// Whether a word of the address was probably meant: an axis, or what a function of the block needs: `G71 LX`, `G04
+/// QX`, `G02 X5 IX`.
 fn is_needed(around: &Around<'_>, address: Address) -> bool {
     let centre = matches!(address, Address::I | Address::J);
     let takes = |code: GCode| {

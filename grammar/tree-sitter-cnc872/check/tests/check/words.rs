@@ -106,7 +106,8 @@ pub fn tree(root: Node<'_>, text: &str) -> Outline {
 
 fn thing(node: Node<'_>, text: &str) -> (String, Range<usize>) {
     let mut range = node.byte_range();
-    // A comment that is open at the end of the file holds what DOS editors leave there; for cnc872c it does not (LEX-8).
+    // A comment that is open at the end of the file holds what DOS editors leave there; for cnc872c it does not
+    // (LEX-8).
     const TAIL: [char; 6] = ['\u{1a}', '\0', ' ', '\t', '\r', '\n'];
     if node.kind() == "comment" && text[range.start..].contains(['\u{1a}', '\0']) {
         range.end = range.end.min(text.trim_end_matches(TAIL).len());
