@@ -8,11 +8,12 @@ use super::holes::{may_have_end, may_hold};
 use super::load::Context;
 use super::numbers::is_doubled;
 use super::open_ends::Stray;
+use super::spelling;
 use super::star::Star;
 use super::{Resolved, Unit, UnitId, UnitKind, l_number};
 use crate::config::Settings;
 use crate::diag::{Diagnostic, EarlyEnd, Finding, LabelText};
-use crate::dict::{Address, GCode, PROGRAM_ENDS, SPINDLE_TURNS};
+use crate::dict::{Address, GCode, PROGRAM_ENDS, SPINDLE_TURNS, standard_m_functions};
 use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location, Span};
@@ -75,7 +76,8 @@ impl Context<'_, '_> {
         // An end after the subprograms is the one that is missing before them.
         let late = self.open.take_end().and_then(|block| end_word(self.settings, parsed, block));
         let function = late.map(|(function, _)| function);
-        let instead = last.and_then(|last| self.return_elsewhere(parsed, last).or_else(|| only_start(parsed, last)));
+        let instead = last
+            .and_then(|last| self.return_elsewhere(parsed, last).or_else(|| mistyped_end(self.settings, parsed, last)));
         let instead = instead.map(|(function, _)| function);
         let star = split.star.as_ref().filter(|_| late.is_none());
         let (star, unread) = star.and_then(|star| Some((star.at, star.program_end(parsed)?))).unzip();
@@ -347,11 +349,16 @@ fn unit_end(parsed: &ParsedFile, first: BlockId) -> (BlockId, bool) {
     (BlockId(parsed.block_count()), false)
 }
 
-/// The M03 that is all a block has: as the last one of a program it is an M30 that lost its 0.
-fn only_start(parsed: &ParsedFile, block: BlockId) -> Option<(u8, Word)> {
+/// The M function that is all a block has and as the last one of a program is an end with another digit: M03 for M30,
+/// or one without a meaning, such as M20.
+fn mistyped_end(settings: &Settings, parsed: &ParsedFile, block: BlockId) -> Option<(u8, Word)> {
     let [word] = parsed.words(block) else { return None };
+    let m = m_number(*word, settings)?;
     let [start, _] = SPINDLE_TURNS;
-    word.is_m(start).then_some((start, *word))
+    let is_standard = standard_m_functions(settings.machine.dialect).any(|row| row.number == m);
+    let is_configured = settings.machine.m_functions.get(m).is_some_and(|function| function.configured);
+    let near = PROGRAM_ENDS.into_iter().any(|end| spelling::distance(u32::from(end), u32::from(m)).0 == 1);
+    (m == start || near && !is_standard && !is_configured).then_some((m, *word))
 }
 
 fn entry_place(parsed: &ParsedFile, block: BlockId) -> Location {

@@ -76,6 +76,7 @@ fn what_is_offered() {
         ),
         (Code::E0406, "%1\nN10 G0 X1\nN20 G73 L11 Q2\nN30 M30\n", "write `G73 L10`", "G73 L10 Q2\n"),
         (Code::E0304, "%1\nN10 G0. X1\nN20 M30\n", "write `G0`", "N10 G0 X1\n"),
+        (Code::E0205, "%1\nN10 G0 X1\nN20 M20\n", "write `M30`", "N20 M30\n"),
         (Code::E0305, "%1\nN10 S+500 M03\nN20 M30\n", "write `S500`", "N10 S500 M03\n"),
         (Code::E0205, "%1\nN10 G0 X1\n", "insert `N20 M30`", "N10 G0 X1\nN20 M30\n"),
         (
