@@ -177,9 +177,10 @@ fn other_feed(range: &str, mode: Option<GCode>) -> (&'static str, &'static str) 
         )
     } else if mode == Some(GCode::G96) {
         (
-            "the feed is in mm per minute here; with constant cutting speed it is in mm per revolution under G97 (key \
-            `g97`)",
-            "posuv je zde v mm za minutu; v mm na otáčku je při konstantní řezné rychlosti s G97 (klíč g97)",
+            "the feed is in mm per minute here; with constant cutting speed it is in mm per revolution under G97, where \
+            the key `g97` is `per-revolution`",
+            "posuv je zde v mm za minutu; v mm na otáčku je při konstantní řezné rychlosti s G97, má-li klíč g97 \
+            hodnotu per-revolution",
         )
     } else if mode == Some(GCode::G97) {
         (

@@ -115,7 +115,8 @@ fn an_end_by_mistake() {
 fn feeds_by_revolution() {
     let blocks = "N40 G96 S200 M03\nN50 G01 X10 F0.3\n";
     for args in ["--dialect=cnc8x6", "--dialect=cnc8x9", "--dialect=cnc872"] {
-        let (en, cs) = (["under G97 (key `g97`)"], ["s G97 (klíč g97)"]);
+        let (en, cs) =
+            (["under G97, where the key `g97` is `per-revolution`"], ["s G97, má-li klíč g97 hodnotu per-revolution"]);
         assert_advice(Code::E0302, &Case { blocks, args, en: &en, cs: &cs, never: &["G95"], ..Case::default() });
     }
     let (en, cs) = (["as the key `g97` says"], ["jak určuje klíč g97"]);
