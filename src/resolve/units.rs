@@ -103,8 +103,8 @@ impl Context<'_, '_> {
             let flags = parsed.flags(block);
             let entry = flags.has(BlockFlags::ENTRY);
             let again = block.0.checked_sub(1).is_some_and(|before| is_doubled(parsed, BlockId(before)));
-            // One of two such blocks is too many.
-            if entry && is_doubled(parsed, block) || !entry && !stray && again {
+            // The second one of two ends is too many.
+            if !entry && !stray && again {
                 block = block.next();
                 continue;
             }
@@ -137,7 +137,9 @@ impl Context<'_, '_> {
     fn add_subprogram(&mut self, resolved: &mut Resolved, split: &mut Split<'_>, block: BlockId) -> BlockId {
         let parsed = split.parsed;
         let entry = entry_place(parsed, block);
-        let (end, ended) = unit_end(parsed, block);
+        // Written twice, one behind the other, it begins one unit.
+        let begins = if is_doubled(parsed, block) { block.next() } else { block };
+        let (end, ended) = unit_end(parsed, begins);
         let l_word = entry_l(parsed, block);
         let l = l_word.and_then(l_number);
         let unit = Unit { kind: UnitKind::Subprogram(l), file: FileId(0), first: block, end, entry };
