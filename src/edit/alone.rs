@@ -37,7 +37,7 @@ impl Reading {
         found.items().iter().for_each(|item| *findings.entry(item.code()).or_default() += 1);
         found.beyond().for_each(|((_, code), beyond)| *findings.entry(code).or_default() += beyond);
         let mut hash = DefaultHasher::new();
-        (file.words_outside, file.program_end().0).hash(&mut hash);
+        (file.outside.len(), file.program_end().0).hash(&mut hash);
         file.block_ids().for_each(|block| (file.flags(block).0, file.words(block).len()).hash(&mut hash));
         file.all_words().for_each(|word| word.essence().hash(&mut hash));
         file.all_comments().iter().for_each(|comment| file.comment_text(*comment).hash(&mut hash));

@@ -52,7 +52,7 @@ impl Context<'_, '_> {
         let mut split = Split::of(&parsed);
         self.add_subprograms(resolved, &mut split, end);
         // Words without any block are one error already (BLK-2).
-        let no_block = parsed.block_count() == 0 && parsed.words_outside;
+        let no_block = parsed.block_count() == 0 && !parsed.outside.is_empty();
         if !ended && !no_block && !may_have_end(&parsed, &main) {
             self.report_endless_program(resolved, &split, end);
         }

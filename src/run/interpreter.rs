@@ -86,10 +86,8 @@ impl Interpreter {
         let main = resolved.main().and_then(|id| resolved.unit(id).map(|unit| Frame::new(id, *unit, None)));
         let mut state = State::new(program.settings);
         state.said.operations.clone_from(resolved.unknown_operations());
-        // What the words before the first block set is not known (BLK-2).
-        let file = main.as_ref().and_then(|main| resolved.file(main.unit.file));
-        if file.is_some_and(|file| file.words_outside) {
-            state.lose_by_cut();
+        if let Some(file) = main.as_ref().and_then(|main| resolved.file(main.unit.file)) {
+            state.lose_set_by(&file.outside, &program.settings.machine);
         }
         Self {
             state,

@@ -3,8 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::unknown::Groups;
-use crate::config::Settings;
-use crate::dict::{Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, Micro, SPINDLE_GROUP, SPINDLE_STOP};
+use crate::config::{Machine, Settings};
+use crate::dict::{
+    Address, Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, Micro, SPINDLE_GROUP, SPINDLE_STOP,
+};
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location};
 
@@ -416,6 +418,31 @@ impl State {
         self.lose_by_call();
         self.unknown = self.unknown.and(Groups::lasting());
         self.m.fill(None);
+    }
+
+    /// What words before the first block would have set is not known (BLK-2).
+    pub(super) fn lose_set_by(&mut self, words: &[Word], machine: &Machine) {
+        for word in words {
+            let Self { feed, speed, tool, h, p, d, .. } = self;
+            let held = [
+                (Address::F, feed),
+                (Address::S, speed),
+                (Address::T, tool),
+                (Address::H, h),
+                (Address::P, p),
+                (Address::D, d),
+            ];
+            let of_word = held.into_iter().filter(|(address, _)| *address == word.address);
+            of_word.for_each(|(_, held)| *held = Held::Undetermined);
+            if word.address == Address::G {
+                let groups = word.g_code().map_or_else(Groups::lasting, |code| Groups::default().with(code.group()));
+                self.unknown = self.unknown.and(groups);
+            } else if word.address == Address::M {
+                (self.m, self.in_spindle) = ([None; M_GROUPS], Held::Undetermined);
+            } else if let Some(axis) = machine.axes.index_of(word.address) {
+                self.set_position(axis, Position::Undetermined);
+            }
+        }
     }
 
     /// The function of an M group.

@@ -17,14 +17,7 @@ const BATCH: usize = 1 << 10;
 pub(super) struct Header {
     pub(super) program: Option<Word>,
     pub(super) title: Option<Span>,
-    pub(super) outside: Option<Outside>,
-}
-
-/// Words that belong to no block.
-pub(super) struct Outside {
-    pub(super) first: Span,
-    /// How many follow the first.
-    pub(super) more: usize,
+    pub(super) outside: Vec<Word>,
 }
 
 /// So few bytes behind a `%` may be blank for it to be the end of a file.
@@ -312,10 +305,7 @@ impl<'t> Reader<'t> {
                     self.report(Location { file, span }, Finding::ProgramStartInMacrocycle {});
                 }
             } else if !word.is_faulty() && after_program {
-                match &mut header.outside {
-                    Some(outside) => outside.more += 1,
-                    None => header.outside = Some(Outside { first: span, more: 0 }),
-                }
+                header.outside.push(word);
             }
         }
         let first = self.lowering.comments.iter().copied().find(|comment| comment.start >= program_end);

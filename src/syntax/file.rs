@@ -131,8 +131,8 @@ pub struct ParsedFile {
     pub program: Option<Word>,
     /// The title: the text of the first comment between `%` and the first `N`, trimmed, not empty (BLK-9).
     pub title: Option<Span>,
-    /// Whether words stand before the first `N`, which belong to no block (BLK-2).
-    pub words_outside: bool,
+    /// The words before the first `N`, which belong to no block (BLK-2).
+    pub outside: Vec<Word>,
     /// Where a second `%` with a number begins a line: what follows it is another program (LEX-1).
     pub second_program: Option<u32>,
     /// Where the part that is read begins: at `%`.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::blocks::{Outside, Reader};
+use super::blocks::Reader;
 use super::tokens::Shape;
 use super::{BlockId, Kind, ParsedFile, Token, Word, layout, plain, slips, tokens};
 use crate::diag::{Diagnostic, Finding, Findings, FixTitle, ValueMeant};
@@ -62,7 +62,7 @@ pub(super) fn parse_in(
         form,
         program: None,
         title: None,
-        words_outside: false,
+        outside: Vec::new(),
         second_program: None,
         start,
         end,
@@ -72,7 +72,7 @@ pub(super) fn parse_in(
         case: None,
         at_star: Vec::new(),
     };
-    let mut whole = Whole { parsed, findings, lowercase: Vec::new(), outside: None, ended: false };
+    let mut whole = Whole { parsed, findings, lowercase: Vec::new(), outside: Vec::new(), ended: false };
     if pieces < 2 {
         whole.append(read((start, end)));
     } else {
@@ -82,16 +82,17 @@ pub(super) fn parse_in(
         parallel::join(|| whole.read_side_by_side(&piece_bounds(text, start, end, pieces), read), || source.lines());
     }
     let Whole { mut parsed, lowercase, outside, .. } = whole;
-    if let Some(outside) = outside {
+    if let Some((first, more)) = outside.split_first() {
         // All of them are one run, whatever comments stand between them (BLK-2).
-        parsed.words_outside = true;
-        let word = crate::diag::shown(source.slice(outside.first));
-        let skip = word.starts_with('/') && outside.more == 0;
+        let (first, more) = (first.span(text), more.len());
+        let word = crate::diag::shown(source.slice(first));
+        let skip = word.starts_with('/') && more == 0;
         let number = skip.then(|| parsed.n_word(BlockId(0)).and_then(Word::whole)).flatten();
         let number = number.unwrap_or_else(|| free_number(&parsed));
-        let finding = Finding::WordOutsideBlock { word, more: outside.more, blocks: !parsed.blocks.is_empty(), number };
-        findings.add(Diagnostic::new(finding, at(outside.first)));
+        let finding = Finding::WordOutsideBlock { word, more, blocks: !parsed.blocks.is_empty(), number };
+        findings.add(Diagnostic::new(finding, at(first)));
     }
+    parsed.outside = outside;
     parsed.mark_commented();
     let parametric = || parsed.words.iter().filter(|word| word.is_parametric()).count();
     let addresses = if lowercase.is_empty() { 0 } else { parsed.words.len() + parametric() };
@@ -184,7 +185,7 @@ struct Whole<'f> {
     findings: &'f mut Findings,
     /// Where addresses in lower case stand.
     lowercase: Vec<u32>,
-    outside: Option<Outside>,
+    outside: Vec<Word>,
     /// `*` was met: what follows it is no program, whatever later pieces hold.
     ended: bool,
 }
