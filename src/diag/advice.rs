@@ -180,6 +180,11 @@ impl QuoteMeant {
     }
 }
 
+/// Whether a minus before a number of that address may be that of a position, whose letter is another key.
+pub(super) const fn is_value(address: Address) -> bool {
+    matches!(address, Address::F | Address::S | Address::T | Address::D | Address::H | Address::P | Address::Q)
+}
+
 /// Whether the separate number holds the letter that belongs before it: `4Y0`.
 pub(super) fn is_exchanged(loose: &str) -> bool {
     let number = loose.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));

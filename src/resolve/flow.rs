@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::load::Context;
-use super::{Known, Resolved, Roles, Target, Unit, UnitId, UnitKind, l_number, targets};
+use super::{Known, Resolved, Roles, Target, Unit, UnitId, UnitKind, l_number, spelling, targets};
 use crate::diag::{Finding, LabelText};
 use crate::dict::{Address, CALL_ELSEWHERE, Decimal, GCode};
 use crate::syntax::{BlockFlags, BlockId, Word};
@@ -167,9 +167,14 @@ fn named_by(context: &mut Context<'_, '_>, resolved: &Resolved, words: &[Word]) 
     let mut named = Vec::new();
     if let Some(l) = l.and_then(l_number) {
         // A G71 that clashes with another function of its group names it too, and so does one from a parameter. Of a
-        // number that no subprogram has, the nearest was meant.
+        // number that no subprogram has, the nearest was meant, or any that is one slip away.
         if written(GCode::G71) || roles.taker.may_be(GCode::G71) {
-            named.extend(if resolved.subprogram(l).is_some() { Some(l) } else { resolved.nearest_subprogram(l, None) });
+            let exists = |l: &u32| resolved.subprogram(*l).is_some();
+            if exists(&l) {
+                named.push(l);
+            } else {
+                named.extend(spelling::slips(l).filter(exists).chain(resolved.nearest_subprogram(l, None)));
+            }
         }
         let missing =
             |context: &mut Context<'_, '_>| context.library.find(l).is_err() && !context.library.is_of_machine(l);

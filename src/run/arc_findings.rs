@@ -221,7 +221,9 @@ fn meant_center(
         (.., mirrored) => {
             let mut all = [mirrored.into_iter().collect(), absolute, exchanged].concat();
             all.dedup();
-            ArcMeant::Several { words: centers(all) }
+            let alone = all.len() == 1;
+            let words = centers(all);
+            if alone { ArcMeant::Exchanged { words } } else { ArcMeant::Several { words } }
         }
     }
 }

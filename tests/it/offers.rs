@@ -239,7 +239,7 @@ fn several_readings() {
         ("T5 0M6", &["write `M06`", "write `T50`"]),
         ("Z100 09", &["write `M09`", "write `Z100.09`", "write `Z10009`"]),
         ("X1 00", &["write `X1.00`", "write `X100`"]),
-        ("G95 Z-3 F0 12", &["write `F0.12`"]),
+        ("G95 Z-3 F0 12", &["write `F0.12`", "write `F012`"]),
         ("Y0 3", &["write `Z3`", "write `Y0.3`"]),
         ("S-500", &[]),
         ("G71 L10 3x", &["write `Q3`"]),

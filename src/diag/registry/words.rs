@@ -47,13 +47,17 @@ macro_rules! words {
         [E0305] SignNotAllowed "sign-not-allowed" Error { address: Address, key: String }
             en "{address} takes no sign"
             cs "{address} nesmí mít znaménko"
-            help (if key.is_empty() {
+            help (if key.is_empty() && is_value(*address) {
                 "write the number without it, or the letter of an axis if that is meant".to_owned()
+            } else if key.is_empty() {
+                "write the number without it".to_owned()
             } else {
                 format!("on a Czech keyboard `+` is the key of 1: write `{key}` if that is meant, else without the sign")
             })
-               | (if key.is_empty() {
+               | (if key.is_empty() && is_value(*address) {
                    "napsat číslo bez něj, nebo písmeno osy, je-li míněna".to_owned()
+               } else if key.is_empty() {
+                   "napsat číslo bez něj".to_owned()
                } else {
                    format!("na české klávesnici je + na klávese číslice 1: je-li míněna, napsat „{key}“, jinak číslo bez znaménka")
                })

@@ -71,9 +71,12 @@ impl<'t> Split<'t> {
         let rest = around.slice(loose);
         let flow = self.address == Address::N && (around.has(Address::L) || around.has(Address::Q));
         let whole = rest.ends_with(|last: char| last.is_ascii_digit()) && !flow;
-        let base = numbers::word(around).and_then(|base| base.found).filter(|_| whole);
-        let joining = base.map_or_else(Vec::new, |found| found.fixes);
-        let joined = if joining.is_empty() { String::new() } else { self.joined() };
+        let base = numbers::word(around).and_then(|base| base.found).filter(|found| whole && !found.fixes.is_empty());
+        let (joined, joining) = match base.map(|base| (base.finding, base.fixes)) {
+            Some((Finding::SplitNumber { joined, .. }, fixes)) => (joined, fixes),
+            Some((_, fixes)) => (self.joined(), fixes),
+            None => (String::new(), Vec::new()),
+        };
         let finding = Finding::SplitNumber { joined, loose: shown(around.slice(loose)), written: shown(&written) };
         let mut found = around.offering(loose, finding, written);
         found.fixes.extend(joining);
@@ -135,7 +138,8 @@ pub(super) fn exchanged_address(around: &Around<'_>) -> Option<Diagnosis> {
     let exchanged = format!("{}{rest}", split.text);
     // `G71 L10 3x`: how often.
     let flow = split.address == Address::L && around.functions().any(GCode::takes_l) && !around.has(Address::Q);
-    let address = if flow && address == Address::X && rest.is_empty() { Address::Q } else { address };
+    let times = around.byte(next.start) == b'x' && rest.is_empty() && !split.text.starts_with('0');
+    let address = if flow && times { Address::Q } else { address };
     let takes = |number| around.may_mean(address, next.start, number);
     if matches!(address, Address::G | Address::M) && exchanged.len() > 2
         || !rest.is_empty() && split.text.len() > 1
@@ -251,12 +255,12 @@ fn missing(around: &Around<'_>, split: &Split<'_>) -> Option<Address> {
                 first_axis.filter(|_| code.group() == GGroup::G0)
             }
         }
-        address if address.is_dimensional() && two && split.text.starts_with('0') => Some(Address::M),
+        _ if is_function_behind(around, split) => Some(Address::M),
         Address::M if !two => wanted(plain && !has(Address::S), Address::S),
         Address::M => Some(Address::M),
         Address::T | Address::S if two => Some(Address::M),
         Address::T if split.text == "6" => Some(Address::M),
-        Address::L => wanted(plain && !has(Address::Q), Address::Q),
+        Address::L => wanted(plain && !split.text.starts_with('0') && !has(Address::Q), Address::Q),
         Address::D => {
             let digits = plain && split.text.len() == CORRECTION_DIGITS;
             wanted(digits && !has(Address::Correction), Address::Correction)
@@ -292,6 +296,12 @@ fn missing(around: &Around<'_>, split: &Split<'_>) -> Option<Address> {
         | Address::Skip
         | Address::Program => None,
     }
+}
+
+/// Whether the second piece is a function that lost its M behind a position: `Z100 09`.
+fn is_function_behind(around: &Around<'_>, split: &Split<'_>) -> bool {
+    let function = matches!(split.text.as_bytes(), [b'0', digit] if digit.is_ascii_digit());
+    function && split.address.is_dimensional() && !around.has(Address::M)
 }
 
 /// Whether words of an axis stand near the block.

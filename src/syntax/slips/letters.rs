@@ -2,9 +2,9 @@
 
 use super::functions::arc_in_force;
 use super::{Around, Diagnosis, numbers, without_blanks, write};
-use crate::diag::{Finding, FixTitle, Meant, NumberMeant, ValueMeant, shown};
+use crate::diag::{Diagnostic, Finding, FixTitle, Meant, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, HIGHEST_BLOCK};
-use crate::sure::small;
+use crate::sure::{Sure, small};
 use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, Shape, Token};
 use crate::syntax::{Word, grammar};
@@ -169,13 +169,20 @@ pub(super) fn czech_word(around: &Around<'_>) -> Option<Diagnosis> {
     if !run.chars().any(|key| is_key(&key)) || end != span.end {
         return None;
     }
-    let digits: String = run.replace(',', ".").chars().map(|key| digit_of_key(key).unwrap_or(key)).collect();
+    let digit = |key: char| digit_of_key(key).unwrap_or(key);
+    let digits: String = run.replace(',', ".").chars().map(digit).collect();
     let number = Number::parse(digits.as_bytes())?;
+    // A `+` may be a sign.
+    let signed = run.strip_prefix('+').filter(|rest| !rest.is_empty() && address.is_dimensional());
+    let signed = signed.map(|_| format!("{address}+{}", digits.get(1..).sure()));
     let function = matches!(address, Address::G | Address::M) && digits.len() > 2;
     let found = if function || !around.may_mean(address, span.start, number) {
         around.characters(span, Meant::Number)
     } else {
-        around.characters_as(span, format!("{address}{digits}"), |written| Meant::CzechKeys { written })
+        let readings: Vec<String> = signed.into_iter().chain([format!("{address}{digits}")]).collect();
+        let meant = Meant::CzechKeys { written: shown(&readings.join(" / ")) };
+        let offer = |found: Diagnostic, text: String| found.with_offer(write(&text), around.place(span), text);
+        readings.into_iter().fold(around.characters(span, meant), offer)
     };
     Some(Diagnosis::saying(tokens, found).void(address, span))
 }

@@ -71,6 +71,9 @@ fn loose(around: &Around<'_>, first: Token, pieces: &[Token], tokens: usize) -> 
     Diagnosis { found, ..Diagnosis::of(tokens) }.with(word, span)
 }
 
+/// Digits behind the point of a position, at most (ADR-2).
+const DECIMALS: usize = 3;
+
 /// A faulty number: its first piece, and the others.
 pub(super) struct Broken<'a> {
     pub(super) address: Address,
@@ -114,7 +117,8 @@ impl Broken<'_> {
                 let written = address != Address::R || around.slice(span).contains('=');
                 let certain = matches!(run, "+" | "-") && only && written && address.is_dimensional();
                 pointed = self.with_point(around);
-                let all = [pointed.clone(), Some(fixed.clone()).filter(|_| !self.is_zero() || pointed.is_none())];
+                let all =
+                    [pointed.clone(), Some(fixed.clone()).filter(|_| !(self.is_odd_joined() && pointed.is_some()))];
                 let all: Vec<String> = all.into_iter().flatten().map(|text| shown(&text)).collect();
                 (certain.then_some(Certain::BlankBehindSign), split(all.join(" / ")))
             }
@@ -144,7 +148,7 @@ impl Broken<'_> {
         if let Some(pointed) = pointed.filter(|_| fits) {
             found = found.with_offer(write(&pointed), around.place(span), pointed);
         }
-        if fits && !(is_pointed && self.is_zero()) {
+        if fits && !(is_pointed && self.is_odd_joined()) {
             let edits = vec![Edit { at: around.place(span), text: fixed.clone() }];
             found = found.with_edits(certain, write(&fixed), edits);
         }
@@ -163,11 +167,19 @@ impl Broken<'_> {
         let whole = is_digits(run.trim_start_matches(['+', '-'])) && is_digits(behind);
         let text = format!("{run}.{behind}");
         let number = Number::parse(text.as_bytes()).filter(|_| whole)?;
-        let takes = address.is_dimensional() && (address != Address::F || self.is_zero());
+        // The control rounds to thousandths; the values of control words are whole.
+        let takes = address.is_dimensional()
+            && address != Address::R
+            && (address != Address::F || self.is_zero())
+            && behind.len() <= DECIMALS;
         (takes && around.may_mean(address, span.start, number)).then(|| format!("{prefix}{text}"))
     }
 
-    /// Whether its first piece is 0: no number goes on behind that without a point.
+    /// Whether its first piece is 0: no position goes on behind that without a point.
+    fn is_odd_joined(&self) -> bool {
+        self.is_zero() && self.address != Address::F
+    }
+
     fn is_zero(&self) -> bool {
         self.run.trim_start_matches(['+', '-']) == "0"
     }

@@ -231,11 +231,7 @@ pub(in crate::syntax) fn statement_end(bytes: &[u8], token: Token) -> Option<u32
         return None;
     }
     let rest = bytes.get(token.start as usize..)?;
-    let before = bytes.get(..token.start as usize).sure().last().copied().unwrap_or(b' ');
-    let value = before == b'=' || token.kind == Kind::Equals && before.is_ascii_digit();
-    let parameter = matches!(rest, [b'A'..=b'Z', b'R', digit, ..] if digit.is_ascii_digit());
-    if !value
-        && !parameter
+    if !is_of_parameter(bytes, token)
         && let Some(length) = before_lone_quote(rest, token.kind)
     {
         return Some(token.start + small(length));
@@ -248,6 +244,21 @@ pub(in crate::syntax) fn statement_end(bytes: &[u8], token: Token) -> Option<u32
     let line = rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r' | b'"')).count();
     let text = rest.get(..line)?.trim_ascii_end();
     Some(token.start + small(text.len()))
+}
+
+/// Whether a token belongs to a word with a parameter: `XR1`, what follows the number in `R1 = 5`.
+fn is_of_parameter(bytes: &[u8], token: Token) -> bool {
+    let (before, rest) = bytes.split_at_checked(token.start as usize).sure();
+    let line = rest.split(|byte| matches!(byte, b'"' | b'\n' | b'\r')).next().unwrap_or_default();
+    if matches!(line, [b'A'..=b'Z', b'R', digit, ..] if digit.is_ascii_digit()) {
+        return !line.contains(&b'=');
+    }
+    let before = before.trim_ascii_end();
+    let digits = before.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+    let parameter = digits > 0 && before.get(..before.len() - digits).sure().ends_with(b"R");
+    let value = line.strip_prefix(b"=").unwrap_or_default().trim_ascii_start();
+    let number = value.first().is_some_and(|byte| byte.is_ascii_digit() || b"+-.R".contains(byte));
+    before.ends_with(b"=") || token.kind == Kind::Equals && parameter && number
 }
 
 /// How long the text is that begins there and ends with a quote at the end of its line, which nothing opens.
