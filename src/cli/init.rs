@@ -11,18 +11,24 @@ use super::locale::Locale;
 use super::status::{Failure, Status, tell};
 use super::walk::has_extension;
 use super::words::Words;
-use crate::config::{EXTENSIONS, PROJECT_FILE, Surroundings, initial};
+use crate::config::{EXTENSIONS, Overrides, PROJECT_FILE, Surroundings, configure, find_project, initial};
+use crate::diag::Findings;
 use crate::dict::Lang;
 use crate::disk::{self, DiskLoader, entries};
 use crate::resolve::{Library, begins_macrocycle};
-use crate::text::{Encoding, Loader, SourceText, path_name};
+use crate::text::{Encoding, Loader, SourceText, Sources, path_name};
 
 pub(super) fn run(args: &InitArgs, locale: Locale) -> Result<Status, Failure> {
     let path = args.folder.as_deref().map_or_else(|| PathBuf::from(PROJECT_FILE), |folder| folder.join(PROJECT_FILE));
     let file = path_name(&path);
-    let found = surroundings(args.folder.as_deref().unwrap_or(Path::new("")));
+    let folder = args.folder.as_deref().unwrap_or(Path::new(""));
+    let found = surroundings(folder);
+    let above = find_project(folder, &DiskLoader::default());
     write(&path, &initial(args.dialect.unwrap_or_default(), &found, locale.lang), locale.lang)?;
     tell(&Words::Written { file }, locale.lang);
+    if let Some(above) = above {
+        tell(&Words::ProjectAbove { above: path_name(&above) }, locale.lang);
+    }
     Ok(Status::Fine)
 }
 
@@ -45,8 +51,19 @@ fn surroundings(folder: &Path) -> Surroundings {
         let is_xml = entry.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"));
         is_xml && entry.is_file() && head(&entry.path).is_some_and(|head| is_channel(&head))
     });
-    let names = configs.filter_map(|entry| Some(entry.path.file_name()?.to_str()?.to_owned()));
-    Surroundings { macrocycles, is_ambiguous, channel_config: names.into_iter().next() }
+    let configs: Vec<PathBuf> = configs.map(|entry| entry.path).collect();
+    let name = |path: &PathBuf| Some(path.file_name()?.to_str()?.to_owned());
+    let channel_is_doubtful = configs.len() > 1 || configs.iter().any(|path| has_errors(path));
+    let channel_config = configs.first().and_then(name);
+    Surroundings { macrocycles, is_ambiguous, channel_config, channel_is_doubtful }
+}
+
+/// Whether a ChannelConfig would keep programs from being read.
+fn has_errors(channel: &Path) -> bool {
+    let overrides = Overrides { channel_config: Some(channel.to_path_buf()), ..Overrides::default() };
+    let mut findings = Findings::new();
+    configure(None, &overrides, &DiskLoader::default(), &mut Sources::default(), &mut findings);
+    findings.has_errors()
 }
 
 /// The first bytes of a file.
@@ -94,11 +111,16 @@ impl Folders {
     }
 
     /// Whether programs would find another macrocycle than the one meant for them, if all folders were searched: a
-    /// number is there twice, or some programs are beside macrocycles, and some elsewhere.
+    /// number is there twice, or macrocycles are beside some programs or below them, and other programs elsewhere.
     fn is_ambiguous(&self) -> bool {
         let is_shared = self.programs.iter().any(|folder| self.macrocycles.contains(folder));
+        let is_in = |folder: &str, job: &str| job == "." || Path::new(folder).starts_with(job);
+        let is_elsewhere = |job: &str| self.programs.iter().any(|other| !is_in(other, job));
+        let of_a_job = |folder: &String| self.programs.iter().any(|job| is_in(folder, job) && is_elsewhere(job));
         let numbers: HashSet<_> = self.numbers.iter().collect();
-        numbers.len() < self.numbers.len() || (is_shared && self.programs.len() > 1)
+        numbers.len() < self.numbers.len()
+            || (is_shared && self.programs.len() > 1)
+            || self.macrocycles.iter().any(of_a_job)
     }
 }
 

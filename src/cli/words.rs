@@ -236,6 +236,9 @@ bilingual! {
         Place { text: String }
             "{text}",
             "{text}";
+        ProjectAbove { above: String }
+            "for the programs here it takes the place of {above}",
+            "pro zdejší programy platí místo {above}";
         StdinTwice
             "standard input can be read once only: name a file for the other program",
             "standardní vstup lze číst jen jednou: druhý program zadat souborem";

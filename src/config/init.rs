@@ -35,6 +35,12 @@ const AMBIGUOUS: Bilingual = Bilingual {
 ",
 };
 
+/// Why the ChannelConfig is not in force.
+const DOUBTFUL: Bilingual = Bilingual {
+    en: "# Left out: there are several, or this one has errors.\n",
+    cs: "# Vynecháno: je jich tu víc, nebo má tento chyby.\n",
+};
+
 /// The files that a project file may name, in its folder.
 #[derive(Clone, Debug, Default)]
 pub struct Surroundings {
@@ -43,8 +49,10 @@ pub struct Surroundings {
     /// Whether programs may find another macrocycle than theirs when all these folders are searched; the key then stays
     /// a comment.
     pub is_ambiguous: bool,
-    /// The ChannelConfig, relative.
+    /// The ChannelConfig, relative; of several one.
     pub channel_config: Option<String>,
+    /// Whether there are several, or this one has errors; the key then stays a comment.
+    pub channel_is_doubtful: bool,
 }
 
 /// A project file for that control, its comments in `lang`.
@@ -95,7 +103,12 @@ fn root(text: &mut String, rows: &[Row], (dialect, found): (Dialect, &Surroundin
         } else if row.name == "channel-config" {
             match &found.channel_config {
                 _ if !dialect.has_channel_config() => {}
-                Some(name) => line(text, &format!("{} = {}", row.name, quoted(name)), row.meaning, lang),
+                Some(name) => {
+                    let doubtful = found.channel_is_doubtful;
+                    text.push_str(if doubtful { DOUBTFUL.get(lang) } else { "" });
+                    let comment = if doubtful { "#" } else { "" };
+                    line(text, &format!("{comment}{} = {}", row.name, quoted(name)), row.meaning, lang);
+                }
                 None => key(text, row, dialect, lang),
             }
         } else if row.name == "macrocycles" {
@@ -226,6 +239,7 @@ mod tests {
             macrocycles: vec!["macros".to_owned()],
             is_ambiguous: false,
             channel_config: Some("Channel.xml".to_owned()),
+            channel_is_doubtful: false,
         };
         let text = initial(Dialect::Cnc872, &found, Lang::En);
         assert!(text.contains("\nmacrocycles = [\"macros\"]") && text.contains("\nchannel-config = \"Channel.xml\""));

@@ -78,6 +78,31 @@ fn folders_of_several_jobs_are_left_out() {
     assert_eq!((key.as_str(), said), ("#macrocycles = [\"1\", \"2\"]", true));
     let (key, said, _) = written(&[("a.nc", call), ("L4", cycle), ("lib/L3", cycle)]);
     assert_eq!((key.as_str(), said), ("macrocycles = [\".\", \"lib\"]", false));
+    let below = [("1/a.nc", call), ("1/macros/L3", cycle), ("2/b.nc", call)];
+    let (key, said, place) = written(&below);
+    assert_eq!((key.as_str(), said), ("#macrocycles = [\"1/macros\"]", true));
+    assert!(place.run(&["check", "2/b.nc"]).ends(1).stdout.contains("E0405"));
+    let (key, said, _) = written(&[("1/a.nc", call), ("1/b/c.nc", call), ("1/macros/L3", cycle)]);
+    assert_eq!((key.as_str(), said), ("macrocycles = [\"1/macros\"]", false));
     let (key, said, _) = written(&[("a/L12.nc", plain), ("b/L5.txt", b"Notes: N10 is slow"), ("c/L3", cycle)]);
     assert_eq!((key.as_str(), said), ("macrocycles = [\"c\"]", false));
+}
+
+/// A ChannelConfig is in force when there is no other and `check` takes it. A project file above is told of.
+#[test]
+fn channels_and_projects_above() {
+    let channel = |group: u8| format!("<C><MFunctions><MFunc No='91' GroupNo='{group}'/></MFunctions></C>");
+    let written = |files: &[(&str, &str)]| {
+        let files: Vec<(&str, &[u8])> = files.iter().map(|(name, text)| (*name, text.as_bytes())).collect();
+        let place = Place::with(&[&[("a.nc", GOOD.as_bytes())], files.as_slice()].concat());
+        place.run(&["init"]).ends(0);
+        place.run(&["check", "a.nc"]).ends(0);
+        let text = String::from_utf8(place.read("cnc872c.toml")).unwrap();
+        (text.contains("\nchannel-config = \"A.xml\""), text.contains("\n#channel-config = \"A.xml\""))
+    };
+    assert_eq!(written(&[("A.xml", &channel(10))]), (true, false));
+    assert_eq!(written(&[("A.xml", &channel(10)), ("B.xml", &channel(11))]), (false, true));
+    assert_eq!(written(&[("A.xml", &channel(99))]), (false, true));
+    let place = Place::with(&[("cnc872c.toml", b"dialect = \"cnc8x6\"\n"), ("sub/a.nc", GOOD.as_bytes())]);
+    place.run(&["init", "sub", "--lang", "en"]).ends(0).says("takes the place of cnc872c.toml");
 }

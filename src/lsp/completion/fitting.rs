@@ -42,7 +42,8 @@ impl Part {
     /// Whether the block may have that function, as far as the structure of the file goes.
     pub(super) fn takes_g(self, source: &Source<'_>, context: &Context<'_>, code: GCode) -> bool {
         if code == GCode::G79 {
-            return matches!(self, Self::Entry | Self::Any) && context.words().next().is_none();
+            let only_l = context.words().all(|word| word.address == Address::L);
+            return matches!(self, Self::Entry | Self::Any) && only_l;
         }
         let mut m = context.words().filter_map(|word| m_number(word, source.settings));
         match self {
@@ -69,25 +70,42 @@ pub(super) fn takes_center(source: &Source<'_>, context: &Context<'_>, codes: &[
     if codes.iter().any(|code| matches!(code, GCode::G92 | GCode::G93)) {
         return false;
     }
-    let in_force = |group| {
+    if context.words().any(|word| word.address == Address::G && word.is_parametric()) {
+        return true;
+    }
+    let may_be = |group, wanted: fn(GCode) -> bool| {
         let written = codes.iter().copied().find(|code| code.group() == group);
-        written.or_else(|| in_force(source, context, group))
+        written.map_or_else(|| may_be_in_force(source, context, group, wanted), wanted)
     };
-    let is_arc = matches!(in_force(GGroup::G0), Some(GCode::G02 | GCode::G03));
-    (is_arc && address != Address::K)
+    (address != Address::K && may_be(GGroup::G0, |code| matches!(code, GCode::G02 | GCode::G03)))
         || codes.iter().any(|code| code.makes_words_data())
         || (codes.contains(&GCode::G23) && address == Address::I)
-        || in_force(GGroup::G0) == Some(GCode::G33)
-        || matches!(in_force(GGroup::G2), Some(GCode::G09 | GCode::G10))
-        || in_force(GGroup::G8).is_some_and(GCode::is_cycle)
+        || may_be(GGroup::G0, |code| code == GCode::G33)
+        || may_be(GGroup::G2, |code| matches!(code, GCode::G09 | GCode::G10))
+        || may_be(GGroup::G8, GCode::is_cycle)
 }
 
-/// The function of a group that the nearest block above writes, of the same unit and not for itself alone.
-fn in_force(source: &Source<'_>, context: &Context<'_>, group: GGroup) -> Option<GCode> {
-    let here = context.block?;
-    let first = unit_of(source.analysis, here).map_or(0, |(_, unit)| unit.first.0);
-    let near = (first.max(here.0.saturating_sub(NEAR))..here.0).rev().map(BlockId);
-    let lasts = |code: &GCode| code.group() == group && code.lasting() != Lasting::Block;
-    let mut written = near.flat_map(|block| context.file.words(block)).filter_map(|word| word.g_code()).filter(lasts);
-    written.next().or_else(|| source.settings.machine.power_up.get(group.index()).copied().flatten())
+/// Whether a wanted function of a group may be in force from above: the nearest block of the unit that writes one says
+/// so. A call, a jump, a parameter, a `/` on the way and what calls the unit leave it open.
+fn may_be_in_force(source: &Source<'_>, context: &Context<'_>, group: GGroup, wanted: impl Fn(GCode) -> bool) -> bool {
+    let Some(here) = context.block else { return true };
+    let unit = unit_of(source.analysis, here).map(|(_, unit)| unit);
+    let first = unit.map_or(0, |unit| unit.first.0);
+    for block in (first.max(here.0.saturating_sub(NEAR))..here.0).rev().map(BlockId) {
+        let words = context.file.words(block);
+        let open = words.iter().any(|word| {
+            word.address == Address::Skip
+                || word.g_code().is_some_and(GCode::is_flow)
+                || word.address == Address::G && word.is_parametric()
+        });
+        let lasts = |code: &GCode| code.group() == group && code.lasting() != Lasting::Block;
+        if open || words.iter().filter_map(|word| word.g_code()).filter(lasts).any(&wanted) {
+            return true;
+        }
+        if words.iter().filter_map(|word| word.g_code()).any(|code| lasts(&code)) {
+            return false;
+        }
+    }
+    let power_up = || source.settings.machine.power_up.get(group.index()).copied().flatten();
+    unit.is_none_or(|unit| unit.kind != UnitKind::Main) || power_up().is_some_and(wanted)
 }

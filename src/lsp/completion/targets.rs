@@ -107,6 +107,9 @@ impl Offer<'_, '_, '_, '_> {
         let fitting = library.all().filter(|(l, _)| Some(*l) != own && filter(self.context, *l).is_some());
         let found: Vec<(u32, &Path)> = fitting.take(MACROCYCLES + 1).collect();
         self.items.incomplete |= found.len() > MACROCYCLES;
+        for l in self.source.settings.machine.macrocycles.keys().filter(|l| filter(self.context, **l).is_some()) {
+            self.add(*l, CompletionItemKind::File, "[machine-macrocycles]".to_owned(), Section::First, *l);
+        }
         for (l, path) in found.into_iter().take(MACROCYCLES) {
             if self.items.cancel.is_cancelled() {
                 return;

@@ -305,6 +305,11 @@ fn words_that_a_block_takes() {
         ("%1\nN10 A1 U1 C1 |\n", "X", "B V W"),
         ("%1\nN10 U1 V1 |\n", "A B C", "W"),
         ("%1\nN10 M30\nN20 |\n", "G79", "X G00 M03"),
+        ("%1\nN10 M30\nN20 L5 |\nN30 G70\n", "G79", "X G00 M03"),
+        ("%1\nN10 G02 X2 Y0 I1 G71 L5\nN15 X5 |\nN20 M30\nN30 G79 L5\nN40 G01 X0 G70\n", "I J", ""),
+        ("%1\nN10 G71 L5\nN20 M30\nN30 G79 L5\nN40 X4 |\nN50 G70\n", "I J", ""),
+        ("%1\nN10 G02 X1 I1\nN15 /G01 X5\nN20 X9 |\n", "I J", ""),
+        ("%1\nN10 GR1 X4 |\n", "I J K", ""),
     ] {
         let text = if text.contains("M30") { text.to_owned() } else { format!("{text}{units}") };
         let found = editor.labels(&text);
