@@ -249,7 +249,8 @@ pub(in crate::syntax) fn statement_end(bytes: &[u8], token: Token) -> Option<u32
 /// Whether a token belongs to a word with a parameter: `XR1`, what follows the number in `R1 = 5`.
 fn is_of_parameter(bytes: &[u8], token: Token) -> bool {
     let (before, rest) = bytes.split_at_checked(token.start as usize).sure();
-    let line = rest.split(|byte| matches!(byte, b'"' | b'\n' | b'\r')).next().unwrap_or_default();
+    let end = rest.iter().take(COMMENT).take_while(|byte| !matches!(byte, b'"' | b'\n' | b'\r')).count();
+    let line = rest.get(..end).sure();
     if matches!(line, [b'A'..=b'Z', b'R', digit, ..] if digit.is_ascii_digit()) {
         return !line.contains(&b'=');
     }
