@@ -102,7 +102,7 @@ fn look(snapshot: &Snapshot, known: &mut Known) -> bool {
         }
         let path = snapshot.files.canonical(&path);
         let open = snapshot.files.open().contains_key(&path);
-        if open || there.len() >= PROGRAMS || there.contains(&path) || Session::is_macrocycle(&path, &snapshot.files) {
+        if open || there.len() >= PROGRAMS || there.contains(&path) {
             continue;
         }
         if snapshot.files.size(&path).is_none_or(|size| size > LONGEST) {
@@ -116,7 +116,7 @@ fn look(snapshot: &Snapshot, known: &mut Known) -> bool {
             there.insert(path);
             continue;
         }
-        if !begins_program(bytes.as_slice()).unwrap_or(false) {
+        if !begins_program(bytes.as_slice()).unwrap_or(false) || Session::is_macrocycle(&path, &snapshot.files) {
             continue;
         }
         let Some(uri) = snapshot.files.uri_of(&path) else { continue };

@@ -64,17 +64,19 @@ impl AxisLetters {
     }
 }
 
-/// Whether a program may use an axis letter: it has it already, or there is room for one more.
-pub fn takes_axis(machine: &Machine, parsed: &ParsedFile, letter: AxisLetter) -> bool {
-    let mut letters = AxisLetters::default();
-    if !AxisLetters::are_limited(machine) || letter.is_of_the_planes() {
-        return true;
-    }
-    letters.read(machine, parsed);
-    if letters.beside.len() < BESIDE && !letters.beside.contains(&letter) {
-        letters.beside.push(letter);
-    }
-    letters.known(machine).contains(&letter)
+/// The axis letters that a program may use: those that it has already, and others where there is room for one more.
+pub fn usable_axes(machine: &Machine, parsed: &ParsedFile) -> Vec<AxisLetter> {
+    let mut used = AxisLetters::default();
+    used.read(machine, parsed);
+    let fits = |letter: &AxisLetter| {
+        let mut with = used.clone();
+        if with.beside.len() < BESIDE && !with.beside.contains(letter) {
+            with.beside.push(*letter);
+        }
+        with.known(machine).contains(letter)
+    };
+    let limited = AxisLetters::are_limited(machine);
+    AxisLetter::ALL.into_iter().filter(|letter| !limited || letter.is_of_the_planes() || fits(letter)).collect()
 }
 
 /// The bit of an address in a set of them.

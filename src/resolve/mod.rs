@@ -31,7 +31,7 @@ mod units;
 mod unnumbered;
 mod unused_l;
 
-pub use axis_letters::takes_axis;
+pub use axis_letters::usable_axes;
 pub use control_words::{ControlWord, control_result, control_word};
 pub use forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 pub use functions::m_number;

@@ -102,9 +102,9 @@ impl Context<'_, '_> {
         while block < parsed.program_end() {
             let flags = parsed.flags(block);
             let entry = flags.has(BlockFlags::ENTRY);
-            let again = block.0.checked_sub(1).is_some_and(|before| is_doubled(parsed, BlockId(before)));
+            let again = || block.0.checked_sub(1).is_some_and(|before| is_doubled(parsed, BlockId(before)));
             // The second one of two ends is too many.
-            if !entry && !stray && again {
+            if !entry && !stray && again() {
                 block = block.next();
                 continue;
             }

@@ -2,11 +2,12 @@
 
 use gen_lsp_types::CompletionItemKind;
 
-use super::fitting::{takes_center, takes_letter};
+use super::fitting::centers;
 use super::items::{Entry, Items, Section};
 use super::texts::ItemText;
 use super::{Context, Source};
 use crate::dict::{Address, GCode, ValueForm};
+use crate::resolve::usable_axes;
 use crate::sure::small;
 
 /// In the order of use; G, M and N have items of their own.
@@ -42,11 +43,12 @@ pub(super) fn addresses(source: &Source<'_>, context: &Context<'_>, items: &mut 
     let codes: Vec<GCode> = context.words().filter_map(|word| word.g_code()).collect();
     let flow = codes.iter().any(|code| code.is_flow());
     let arc = codes.iter().any(|code| matches!(code, GCode::G02 | GCode::G03));
+    let (centers, axes) = (centers(source, context, &codes), usable_axes(&source.settings.machine, context.file));
     for address in ORDER {
         let of_other_block = match address {
             Address::L => !flow,
             Address::Q => !flow && !codes.contains(&GCode::G04),
-            Address::I | Address::J | Address::K => !takes_center(source, context, &codes, address),
+            Address::I | Address::J | Address::K => !centers.contains(&address),
             Address::X
             | Address::Y
             | Address::Z
@@ -55,7 +57,7 @@ pub(super) fn addresses(source: &Source<'_>, context: &Context<'_>, items: &mut 
             | Address::C
             | Address::U
             | Address::V
-            | Address::W => !takes_letter(source, context, address),
+            | Address::W => !address.axis().is_some_and(|axis| axes.contains(&axis)),
             Address::Program => true,
             Address::N
             | Address::Skip

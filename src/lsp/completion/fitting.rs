@@ -4,7 +4,7 @@ use super::targets::NEAR;
 use super::{Context, Source};
 use crate::dict::{Address, GCode, GGroup, Lasting, PROGRAM_ENDS};
 use crate::query::cursor::unit_of;
-use crate::resolve::{Library, UnitKind, m_number, takes_axis};
+use crate::resolve::{Library, UnitKind, m_number};
 use crate::syntax::BlockId;
 
 /// The part that a block has in its file (PRG-2 to PRG-7).
@@ -60,29 +60,30 @@ pub(super) fn takes_m(context: &Context<'_>, number: u8) -> bool {
     !PROGRAM_ENDS.contains(&number) || !calls()
 }
 
-/// Whether the machine has room for the axis in this program (ADR-4).
-pub(super) fn takes_letter(source: &Source<'_>, context: &Context<'_>, address: Address) -> bool {
-    address.axis().is_none_or(|letter| takes_axis(&source.settings.machine, context.file, letter))
-}
-
-/// Whether I, J or K has a use in the block (MOT-3, GRP-4, GRP-7, GRP-8).
-pub(super) fn takes_center(source: &Source<'_>, context: &Context<'_>, codes: &[GCode], address: Address) -> bool {
+/// Those of I, J and K that have a use in the block (MOT-3, GRP-4, GRP-7, GRP-8).
+pub(super) fn centers(source: &Source<'_>, context: &Context<'_>, codes: &[GCode]) -> &'static [Address] {
+    const ALL: [Address; 3] = [Address::I, Address::J, Address::K];
     if codes.iter().any(|code| matches!(code, GCode::G92 | GCode::G93)) {
-        return false;
-    }
-    if context.words().any(|word| word.address == Address::G && word.is_parametric()) {
-        return true;
+        return &[];
     }
     let may_be = |group, wanted: fn(GCode) -> bool| {
         let written = codes.iter().copied().find(|code| code.group() == group);
         written.map_or_else(|| may_be_in_force(source, context, group, wanted), wanted)
     };
-    (address != Address::K && may_be(GGroup::G0, |code| matches!(code, GCode::G02 | GCode::G03)))
+    let all = context.words().any(|word| word.address == Address::G && word.is_parametric())
         || codes.iter().any(|code| code.makes_words_data())
-        || (codes.contains(&GCode::G23) && address == Address::I)
         || may_be(GGroup::G0, |code| code == GCode::G33)
         || may_be(GGroup::G2, |code| matches!(code, GCode::G09 | GCode::G10))
-        || may_be(GGroup::G8, GCode::is_cycle)
+        || may_be(GGroup::G8, GCode::is_cycle);
+    if all {
+        &ALL
+    } else if may_be(GGroup::G0, |code| matches!(code, GCode::G02 | GCode::G03)) {
+        &[Address::I, Address::J]
+    } else if codes.contains(&GCode::G23) {
+        &[Address::I]
+    } else {
+        &[]
+    }
 }
 
 /// Whether a wanted function of a group may be in force from above: the nearest block of the unit that writes one says
@@ -99,11 +100,9 @@ fn may_be_in_force(source: &Source<'_>, context: &Context<'_>, group: GGroup, wa
                 || word.address == Address::G && word.is_parametric()
         });
         let lasts = |code: &GCode| code.group() == group && code.lasting() != Lasting::Block;
-        if open || words.iter().filter_map(|word| word.g_code()).filter(lasts).any(&wanted) {
-            return true;
-        }
-        if words.iter().filter_map(|word| word.g_code()).any(|code| lasts(&code)) {
-            return false;
+        let mut written = words.iter().filter_map(|word| word.g_code()).filter(lasts).peekable();
+        if open || written.peek().is_some() {
+            return open || written.any(wanted);
         }
     }
     let power_up = || source.settings.machine.power_up.get(group.index()).copied().flatten();

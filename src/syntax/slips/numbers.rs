@@ -97,7 +97,7 @@ impl Broken<'_> {
         let number = Number::parse(fixed.as_bytes());
         let fixed = format!("{prefix}{fixed}");
         let has_digit = fixed.bytes().any(|byte| byte.is_ascii_digit() && !prefix.as_bytes().contains(&byte));
-        let (mut without, mut pointed) = (None, None);
+        let (mut without, mut readings) = (None, vec![fixed.clone()]);
         let (certain, finding) = match number {
             Some(number) if joined.contains(',') => return self.with_comma(around, number, &joined, fixed),
             Some(_) if joined.bytes().any(|letter| look_alike(letter).is_some()) => {
@@ -116,10 +116,11 @@ impl Broken<'_> {
                 // `R29 - 12`: perhaps `=` was meant, `R3+ 40.2`: perhaps another digit.
                 let written = address != Address::R || around.slice(span).contains('=');
                 let certain = matches!(run, "+" | "-") && only && written && address.is_dimensional();
-                pointed = self.with_point(around);
-                let all =
-                    [pointed.clone(), Some(fixed.clone()).filter(|_| !(self.is_odd_joined() && pointed.is_some()))];
-                let all: Vec<String> = all.into_iter().flatten().map(|text| shown(&text)).collect();
+                let pointed = self.with_point(around);
+                // No position goes on behind a 0 without a point.
+                readings.retain(|_| pointed.is_none() || !self.is_zero() || address == Address::F);
+                readings.splice(0..0, pointed);
+                let all: Vec<String> = readings.iter().map(|text| shown(text)).collect();
                 (certain.then_some(Certain::BlankBehindSign), split(all.join(" / ")))
             }
             None if has_digit || joined.len() > 2 => {
@@ -144,13 +145,9 @@ impl Broken<'_> {
             Finding::SplitNumber { joined: String::new(), loose, written: String::new() }
         };
         let mut found = around.diagnostic(span, finding);
-        let is_pointed = pointed.is_some();
-        if let Some(pointed) = pointed.filter(|_| fits) {
-            found = found.with_offer(write(&pointed), around.place(span), pointed);
-        }
-        if fits && !(is_pointed && self.is_odd_joined()) {
-            let edits = vec![Edit { at: around.place(span), text: fixed.clone() }];
-            found = found.with_edits(certain, write(&fixed), edits);
+        for reading in readings.into_iter().filter(|_| fits) {
+            let edits = vec![Edit { at: around.place(span), text: reading.clone() }];
+            found = found.with_edits(certain, write(&reading), edits);
         }
         if let Some(without) = without {
             found = found.with_offer(write(&without), around.place(span), without);
@@ -175,11 +172,7 @@ impl Broken<'_> {
         (takes && around.may_mean(address, span.start, number)).then(|| format!("{prefix}{text}"))
     }
 
-    /// Whether its first piece is 0: no position goes on behind that without a point.
-    fn is_odd_joined(&self) -> bool {
-        self.is_zero() && self.address != Address::F
-    }
-
+    /// Whether its first piece is 0.
     fn is_zero(&self) -> bool {
         self.run.trim_start_matches(['+', '-']) == "0"
     }
