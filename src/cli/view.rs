@@ -101,7 +101,7 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
 
 /// Remarks on a written picture.
 fn remarks(left_out: LeftOut, assumed: bool, output: Option<&Path>) -> Vec<Words> {
-    let LeftOut { red, yellow, motions } = left_out;
+    let LeftOut { red, yellow, motions, stale } = left_out;
     let mut remarks = Vec::new();
     if red > 0 {
         remarks.push(Words::RedLeftOut { count: red });
@@ -111,6 +111,9 @@ fn remarks(left_out: LeftOut, assumed: bool, output: Option<&Path>) -> Vec<Words
     }
     if motions > 0 {
         remarks.push(Words::MotionsLeftOut { count: motions });
+    }
+    if stale > 0 {
+        remarks.push(Words::StaleMotions { count: stale });
     }
     if assumed {
         remarks.push(Words::AssumedMachine);

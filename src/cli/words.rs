@@ -72,6 +72,9 @@ bilingual! {
         MotionsLeftOut { count: usize }
             "motions that are not drawn: {count}; their start or end is not known, or they move none of X, Y, Z",
             "nekreslených pohybů: {count}; není znám jejich začátek nebo konec, nebo nepohybují žádnou z os X, Y, Z";
+        StaleMotions { count: usize }
+            "motions drawn from a position of another origin, where the tool does not stand: {count}",
+            "pohyby nakreslené z polohy v jiném počátku, kde nástroj nestojí: {count}";
         OptionOfPictures { option: String }
             "{option} goes with a still picture: -o part.svg or -o part.png",
             "{option} patří k obrázku: -o dil.svg nebo -o dil.png";

@@ -156,6 +156,8 @@ impl View {
     pub fn data(&self, report: &Report, naming: Naming<'_>, compared: Option<Value>) -> Vec<u8> {
         let findings = self.findings(report, naming);
         let total = self.times.total();
+        // With an error it stops before the end.
+        let at_least = total.lacks_more_than_approach() || !self.whole;
         let about = About {
             program: self.program.clone(),
             names: &self.names,
@@ -163,8 +165,8 @@ impl View {
                 self.machine.clone(),
                 json!({
                     "time_s": total.time_s,
-                    "at_least": total.lacks_more_than_approach(),
-                    "without_approach": total.approach_blocks > 0,
+                    "at_least": at_least,
+                    "without_approach": total.approach_blocks > 0 && !at_least,
                 }),
             ],
             blocks: self.blocks,

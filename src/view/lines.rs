@@ -72,9 +72,8 @@ impl<'r> Lines<'r> {
 
     /// The line of a row.
     pub fn line(&self, row: usize) -> Line {
-        let Some((shape, kind)) = self.rows.shape_of(row).and_then(|shape| Some((shape, shape.kind?))) else {
-            return Line::Nothing;
-        };
+        let Some(shape) = self.rows.shape_of(row) else { return Line::Nothing };
+        let Some(kind) = shape.kind else { return if shape.opaque { Line::LeftOut } else { Line::Nothing } };
         let space = self.axes.into_iter().flatten().fold(0_u16, |bits, axis| bits | 1 << axis);
         let moved = shape.axes & space;
         if moved == 0 || moved & !shape.started != 0 || moved & !shape.known != 0 || kind == MotionType::Reference {

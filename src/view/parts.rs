@@ -118,6 +118,33 @@ impl StateKey {
     }
 }
 
+/// Whether a block does nothing but move, perhaps with a new F, and write parameters.
+pub(super) fn is_plain(block: &Executed<'_>) -> bool {
+    let (_, id) = block.at();
+    let Some(file) = block.file() else { return false };
+    let plain = |address: Address| match address {
+        Address::X | Address::Y | Address::Z | Address::A | Address::B | Address::C => true,
+        Address::U | Address::V | Address::W | Address::I | Address::J | Address::K | Address::F | Address::R => true,
+        Address::N
+        | Address::G
+        | Address::M
+        | Address::S
+        | Address::T
+        | Address::H
+        | Address::P
+        | Address::D
+        | Address::L
+        | Address::Q
+        | Address::Correction
+        | Address::Skip
+        | Address::Program => false,
+    };
+    file.words(id).iter().all(|word| plain(word.address))
+        && block.words().is_empty()
+        && block.data().is_none()
+        && !block.skippable()
+}
+
 /// What a block does, as far as its functions and words tell: equal bytes, equal fields of [`DOES`]. `None`: its values
 /// count.
 pub(super) fn words_of(block: &Executed<'_>) -> Option<Vec<u8>> {

@@ -92,6 +92,8 @@ pub struct LeftOut {
     pub yellow: usize,
     /// Motions whose start or end is not known, and those that move none of X, Y, Z.
     pub motions: usize,
+    /// Motions that are drawn from a position of another origin.
+    pub stale: usize,
 }
 
 /// The picture as SVG.
@@ -150,6 +152,11 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
     let is_left_out = |index: &usize| rows.row(*index).is_some_and(|row| left_out.binary_search(&row).is_ok());
     if !left_out.is_empty() {
         display.left_out.motions = (0..rows.count()).filter(is_left_out).count();
+    }
+    if rows.shape_keys.iter().any(|shape| shape.stale) {
+        let is_stale =
+            |index: &usize| rows.row(*index).and_then(|row| rows.shape_of(row)).is_some_and(|shape| shape.stale);
+        display.left_out.stale = (0..rows.count()).filter(|index| is_stale(index) && !is_left_out(index)).count();
     }
     let mut labels = Labels::default();
     let diameter = rows.turning.diameter;
@@ -469,7 +476,7 @@ fn dots(display: &mut Display, besides: &Besides, lines: &Lines<'_>, projection:
 
 /// Says in the upper left corner what is not drawn. The same bytes in every language.
 fn left_out_notes(display: &mut Display, besides: &Besides) {
-    let LeftOut { red, yellow, motions } = display.left_out;
+    let LeftOut { red, yellow, motions, stale } = display.left_out;
     let mut notes = Vec::new();
     if !besides.whole {
         notes.push("not the whole program".to_owned());
@@ -478,6 +485,11 @@ fn left_out_notes(display: &mut Display, besides: &Besides) {
         0 => {}
         1 => notes.push("1 motion not drawn".to_owned()),
         count => notes.push(format!("{count} motions not drawn")),
+    }
+    match stale {
+        0 => {}
+        1 => notes.push("1 motion from another origin".to_owned()),
+        count => notes.push(format!("{count} motions from another origin")),
     }
     if red > 0 {
         notes.push(format!("{red} red dots not drawn"));

@@ -10,7 +10,7 @@ use super::calls::Contexts;
 use super::column::Column;
 use super::files::Files;
 use super::hash::Hash;
-use super::parts::{Interned, StateKey, parts, words_of};
+use super::parts::{Interned, StateKey, is_plain, parts, words_of};
 use super::positions::{Known, Positions};
 use super::shapes::{ArcAxes, LengthUnit, ShapeKey};
 use super::tally::Tally;
@@ -304,7 +304,8 @@ impl Rows {
             let axes = (0..self.letters.len()).filter(|axis| moved.shape.axes & (1 << axis) != 0);
             self.turning.others |= axes.clone().any(|axis| is_other(&axis));
         }
-        let key = ShapeKey { known: after.bits(), coded: after.changed_from(&self.stand), ..moved.shape };
+        let (known, coded) = (after.bits(), after.changed_from(&self.stand));
+        let key = ShapeKey { known, coded, opaque: block.is_opaque(), ..moved.shape };
         let shape = self.shape(key, block);
         let Last { state, extra, feed, context } = match self.keep {
             Keep::Records => self.parts(block, moved.special),
@@ -494,6 +495,7 @@ impl Rows {
         let shape = &mut found.shape;
         shape.kind = Some(motion.kind());
         shape.spindle = motion.spindle_axis();
+        shape.stale = motion.is_stale();
         let axes = &block.settings().machine.axes;
         let is_rotary =
             |axis: usize| axes.get(axis).is_some_and(|axis| axis.rotary || motion.spindle_axis() == Some(axis.letter));
@@ -608,33 +610,6 @@ struct Special {
 /// The parameters that a block writes, without their values.
 fn params_named(params: &[(u8, Decimal)]) -> Value {
     params.iter().map(|(index, _)| Value::from(format!("R{index}"))).collect()
-}
-
-/// Whether a block does nothing but move, perhaps with a new F, and write parameters.
-fn is_plain(block: &Executed<'_>) -> bool {
-    let (_, id) = block.at();
-    let Some(file) = block.file() else { return false };
-    let plain = |address: Address| match address {
-        Address::X | Address::Y | Address::Z | Address::A | Address::B | Address::C => true,
-        Address::U | Address::V | Address::W | Address::I | Address::J | Address::K | Address::F | Address::R => true,
-        Address::N
-        | Address::G
-        | Address::M
-        | Address::S
-        | Address::T
-        | Address::H
-        | Address::P
-        | Address::D
-        | Address::L
-        | Address::Q
-        | Address::Correction
-        | Address::Skip
-        | Address::Program => false,
-    };
-    file.words(id).iter().all(|word| plain(word.address))
-        && block.words().is_empty()
-        && block.data().is_none()
-        && !block.skippable()
 }
 
 /// The part of a row that it shares with others.

@@ -38,6 +38,10 @@ pub(super) struct ShapeKey {
     pub plane: Option<(usize, usize)>,
     pub arc: Option<ArcAxes>,
     pub spindle: Option<AxisLetter>,
+    /// The block moves where nobody knows: a fixed cycle that is not mapped, a macrocycle of the machine.
+    pub opaque: bool,
+    /// The motion starts where the tool does not stand: behind a change of origin (MOT-8).
+    pub stale: bool,
 }
 
 impl ShapeKey {
@@ -67,6 +71,11 @@ impl ShapeKey {
         if let Some(ArcAxes { first, second }) = self.arc {
             let axes: String = letter(first).into_iter().chain(letter(second)).collect();
             shape.insert("r".to_owned(), Value::String(axes));
+        }
+        for (name, holds) in [("u", self.opaque), ("o", self.stale)] {
+            if holds {
+                shape.insert(name.to_owned(), Value::Bool(true));
+            }
         }
         Value::Object(shape)
     }

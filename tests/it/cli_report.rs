@@ -181,6 +181,39 @@ fn unknown_extents() {
     assert_eq!((known(&whole, "working").0, known(&whole, "all").0), (false, false), "{whole}");
 }
 
+/// Working motions are a part of all motions; a motion that only turns lacks no path; F, S and D from parameters that
+/// nobody knows are told beside the others; blocks of macrocycles are named with them.
+#[test]
+fn what_is_known_in_part() {
+    let place = place();
+    let sheet = |program: &str| -> Value {
+        place.put("part.nc", format!("%1\n{program}"));
+        let run = place.run(&["report", "part.nc", "--format", "json"]).ends(0);
+        let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
+        let validator = validator_for(&cnc872c::analysis::sheet::schema());
+        assert_eq!(validator.validate(&sheet), Ok(()));
+        sheet
+    };
+    let origin = sheet("N1 G90 G54 G0 X0 Y0 Z5 T1 M6\nN2 S9 M3 F100\nN3 G1 Z-1\nN4 G55\nN5 X50\nN6 Y50\nN7 M30\n");
+    for part in ["working", "all"] {
+        assert_eq!(origin["extents"][part]["lower_bound_axes"], json!(["X", "Y", "Z"]), "{origin}");
+    }
+    let turns = sheet("N1 G90 G0 X0 Y0 A0 T1 M6\nN2 G1 X9 F100\nN3 G54\nN4 A90\nN5 M30\n");
+    let tool = &turns["tools"][0];
+    assert_eq!((&tool["working_mm"], tool.get("working_lower_bound")), (&json!(9), None), "{turns}");
+    let values = sheet("N1 G90 G0 X0 Y0 T1 M6\nN2 SR20 M3 FR21\nN3 G1 X9\nN4 S200 F5\nN5 X5\nN6 M30\n");
+    let tool = &values["tools"][0];
+    assert_eq!((&tool["undetermined"], &tool["speeds"]), (&json!(["F", "S"]), &json!([200, 200])), "{values}");
+    let text = place.run(&["report", "part.nc", "--lang", "en"]).ends(0).stdout;
+    assert!(text.contains("5 mm/min; partly not known") && text.contains("200 rev/min; partly not known"), "{text}");
+    place.put("cnc872c.toml", "[cycles]\nG81 = 8100\n");
+    place.put("L8100", "N1 G79 L8100\nN3 G1 Z-R2\nN9 G70\n");
+    let cycle = sheet("N3 G90 G0 X0 Y0 Z5 T1 M6 S9 M3 F9\nN4 G81 X9\nN5 M30\n");
+    assert_eq!(cycle["parameters"], json!([{ "r": 2, "n": 3, "l": 8100 }]), "{cycle}");
+    let text = place.run(&["report", "part.nc", "--lang", "en"]).ends(0).stdout;
+    assert!(text.contains("N3 (L8100)"), "{text}");
+}
+
 /// X of a lathe is a diameter, F is as it acts, S under constant cutting speed counts no revolutions.
 #[test]
 fn of_a_lathe() {

@@ -249,6 +249,20 @@ fn a_zigzag_is_thinned() {
     assert!(!svg.contains("<image"), "few lines are left");
 }
 
+/// Holes of a cycle that is not mapped have no line; behind a change of origin a line starts where no tool stands
+/// (MOT-8).
+#[test]
+fn motions_of_cycles_and_from_another_origin_are_told() {
+    let holes = "%1\nN1 G90 G0 X0 Y0 Z5\nN2 G81 X10 Y10 Z-5 F100\nN3 X20\nN4 G80\nN5 X1 Y1\nN6 M30\n";
+    let origins = "%1\nN1 G90 G54 G0 X0 Y0 Z5\nN2 X50\nN3 G55\nN4 G1 X-200 F100\nN5 X-180\nN6 M30\n";
+    let place = Place::with(&[("holes.nc", holes.as_bytes()), ("origins.nc", origins.as_bytes())]);
+    place.run(&["view", "holes.nc", "-o", "a.svg"]).ends(0).says("motions that are not drawn: 4");
+    let told = place.run(&["view", "origins.nc", "-o", "b.svg"]).ends(0);
+    told.says("motions that are not drawn: 1").says("drawn from a position of another origin");
+    let svg = String::from_utf8(place.read("b.svg")).unwrap();
+    assert!(svg.contains("1 motion from another origin</text>") && svg.contains("class=\"linear\""));
+}
+
 /// R387: the first N executed blocks; and from a later one on.
 #[test]
 fn a_part_of_the_program() {

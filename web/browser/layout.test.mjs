@@ -52,6 +52,41 @@ test('a program with errors opens on its findings, drawn up to the first', { tim
   await fine.close();
 });
 
+test('what is not known makes times and paths at least', { timeout: 60_000 }, async () => {
+  const facts = () => document.querySelector('.facts').textContent;
+  const faulty = program('stops.nc', '%1', 'N10 G90 G0 X0 Y0 Z0', 'N20 G1 X50 F100', 'N30 Y0 Y5', 'N40 M30');
+  const stopped = await open(browser, page(faulty));
+  assert.match(await stopped.tab.evaluate(facts), /4 · at least 30/);
+  await stopped.close();
+  const cycle = program(
+    'holes.nc',
+    '%1',
+    'N10 G90 G0 X0 Y0 Z5',
+    'N20 G2 I1 F100',
+    'N30 G81 X10 Y10 Z-5',
+    'N40 X20',
+    'N50 G80 G0 Z50',
+    'N60 M30',
+  );
+  const { tab, wrong, close } = await open(browser, page(cycle));
+  assert.doesNotMatch(await tab.evaluate(facts), /approach/);
+  assert.match(await tab.evaluate(() => document.querySelector('.notes').textContent), /not drawn.*: 4/);
+  await tab.click('#tab-measure');
+  const stretch = async (from, to) => {
+    await tab.evaluate((seq) => window.cnc872c.select(seq), from);
+    await tab.click('[data-focus="from"]');
+    await tab.evaluate((seq) => window.cnc872c.select(seq), to);
+    await tab.click('[data-focus="to"]');
+    return tab.evaluate(() => [...document.querySelectorAll('.measure dd')].slice(1).map((part) => part.textContent));
+  };
+  assert.equal((await stretch(1, 1))[0], '6.283 mm');
+  const [path, time] = await stretch(1, 3);
+  assert.equal(path, 'at least 6.283 mm');
+  assert.match(time, /^at least /);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test('a lathe is seen in ZX, with diameters along X', { timeout: 60_000 }, async () => {
   const { tab, wrong, close } = await open(browser, page(sample('ok/turned-shaft.nc')));
   const at = await tab.evaluate(() => {

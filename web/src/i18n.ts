@@ -170,6 +170,10 @@ const TEXTS = {
     'motions not drawn, because their start or end is not known: {n}',
     'nekreslených pohybů: {n}, protože není znám jejich začátek nebo konec',
   ],
+  staleLines: [
+    'motions drawn from a position of another origin, where the tool does not stand: {n}',
+    'pohyby nakreslené z polohy v jiném počátku, kde nástroj nestojí: {n}',
+  ],
   partNone: ['none of the {n} executed blocks is drawn', 'z provedených bloků ({n}) není nakreslen žádný'],
   part: ['blocks {from} to {to} of {n}', 'bloky {from} až {to} z {n}'],
   notWhole: [

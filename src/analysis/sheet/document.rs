@@ -4,7 +4,7 @@ use super::extents::Extents;
 use super::reader::{Path, Sheet, ToolUse};
 use super::words::Words;
 use crate::analysis::motion::{Summary, Total, clock};
-use crate::dict::{AxisLetter, Lang};
+use crate::dict::{Address, AxisLetter, Lang};
 
 /// A heading with a table below it.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -100,7 +100,7 @@ const NAMED: usize = 8;
 /// The blocks whose reach is not known.
 fn missing(extents: &Extents, lang: Lang) -> String {
     let blocks = extents.unknown_blocks();
-    let mut named: Vec<String> = blocks.iter().take(NAMED).map(|n| format!("N{n}")).collect();
+    let mut named: Vec<String> = blocks.iter().take(NAMED).map(ToString::to_string).collect();
     if blocks.len() > NAMED {
         named.push("…".to_owned());
     }
@@ -111,14 +111,14 @@ fn tools(sheet: &Sheet, summary: &Summary, lang: Lang) -> Section {
     let rows = sheet.tools.iter().map(|tool| {
         vec![
             tool.tool.map_or_else(|| Words::NoTool.text(lang), |number| format!("T{number}")),
-            format!("N{}", tool.n),
+            tool.first.to_string(),
             tool.changes.to_string(),
             time(summary.of_tool(tool.tool), lang),
             path(tool.working, lang),
             path(tool.rapid, lang),
             feeds(tool, lang),
             speeds(tool, lang),
-            tool.d.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
+            with_unknown(tool.d.iter().map(ToString::to_string), Address::D, tool, lang).join(", "),
             reach(&tool.extents, sheet.head.diameter, lang),
         ]
     });
@@ -150,13 +150,23 @@ fn path(path: Path, lang: Lang) -> String {
 
 fn feeds(tool: &ToolUse, lang: Lang) -> String {
     let feeds = tool.feeds.iter().map(|(counts, feeds)| format!("{} {}", range(*feeds), counts.shown(lang)));
-    feeds.collect::<Vec<_>>().join("; ")
+    with_unknown(feeds, Address::F, tool, lang).join("; ")
 }
 
 fn speeds(tool: &ToolUse, lang: Lang) -> String {
     let speeds = tool.speeds.map(|speeds| Words::Revolutions { speeds: range(speeds) });
     let cutting = tool.cutting_speeds.map(|speeds| Words::CuttingSpeed { speeds: range(speeds) });
-    [speeds, cutting].into_iter().flatten().map(|words| words.text(lang)).collect::<Vec<_>>().join("; ")
+    let speeds = [speeds, cutting].into_iter().flatten().map(|words| words.text(lang));
+    with_unknown(speeds, Address::S, tool, lang).join("; ")
+}
+
+/// The known values of F, S or D, and whether there are others.
+fn with_unknown(known: impl Iterator<Item = String>, of: Address, tool: &ToolUse, lang: Lang) -> Vec<String> {
+    let mut values: Vec<String> = known.collect();
+    if tool.undetermined.contains(&of) {
+        values.push(if values.is_empty() { Words::Unknown } else { Words::PartlyUnknown }.text(lang));
+    }
+    values
 }
 
 fn range<T: PartialEq + ToString>((least, greatest): (T, T)) -> String {
@@ -182,14 +192,14 @@ fn reach(extents: &Extents, diameter: bool, lang: Lang) -> String {
 
 fn m_functions(sheet: &Sheet, lang: Lang) -> Section {
     let rows = sheet.m_functions.iter();
-    let rows = rows.map(|(number, used)| vec![format!("M{number:02}"), used.count.to_string(), format!("N{}", used.n)]);
+    let rows = rows.map(|(number, used)| vec![format!("M{number:02}"), used.count.to_string(), used.first.to_string()]);
     section(Words::MFunctions, &[Words::M, Words::Count, Words::First], rows.collect(), lang)
 }
 
 fn parameters(sheet: &Sheet, lang: Lang) -> Section {
     let rows = sheet.parameters.iter().map(|(index, used)| {
         let value = used.value.map_or_else(|| Words::Unknown.text(lang), |value| value.to_string());
-        vec![format!("R{index}"), value, format!("N{}", used.n)]
+        vec![format!("R{index}"), value, used.first.to_string()]
     });
     section(Words::Parameters, &[Words::Parameter, Words::Value, Words::First], rows.collect(), lang)
 }

@@ -1,5 +1,6 @@
 //! How far motions reach.
 
+use super::block_name::BlockName;
 use crate::dict::{AxisLetter, Micro};
 use crate::run::{Executed, Motion, MotionType};
 
@@ -21,9 +22,9 @@ pub struct Extents {
     axes: [Reach; AxisLetter::ALL.len()],
     /// X is programmed as a diameter.
     diameter: bool,
-    unknown: Vec<u32>,
+    unknown: Vec<BlockName>,
     /// The first block that works while nobody knows where an axis stands.
-    unseen: [Option<u32>; AxisLetter::ALL.len()],
+    unseen: [Option<BlockName>; AxisLetter::ALL.len()],
 }
 
 /// How far a program goes.
@@ -40,15 +41,15 @@ impl Size {
     pub fn add(&mut self, block: &Executed<'_>) {
         let Self { working, all } = self;
         if let Some(motion) = block.motion() {
-            all.add_motion(&motion, block.n());
+            all.add_motion(&motion, block);
             if motion.kind().is_working() {
-                working.add_motion(&motion, block.n());
+                working.add_motion(&motion, block);
                 working.add_standing(block, &motion);
             }
         }
         for letter in moved_unseen(block) {
-            working.lack(letter, block.n());
-            all.lack(letter, block.n());
+            working.lack(letter, BlockName::of(block));
+            all.lack(letter, BlockName::of(block));
         }
     }
 
@@ -82,8 +83,8 @@ impl Extents {
         })
     }
 
-    /// The numbers of the first [`MOST_BLOCKS`] blocks whose reach is not known.
-    pub fn unknown_blocks(&self) -> &[u32] {
+    /// The first [`MOST_BLOCKS`] blocks whose reach is not known.
+    pub fn unknown_blocks(&self) -> &[BlockName] {
         &self.unknown
     }
 
@@ -100,30 +101,30 @@ impl Extents {
     }
 
     /// A block takes an axis where nobody knows.
-    pub(super) fn lack(&mut self, letter: AxisLetter, n: u32) {
+    pub(super) fn lack(&mut self, letter: AxisLetter, block: BlockName) {
         if let Some(reach) = self.axes.get_mut(letter as usize) {
             reach.lacks = true;
         }
-        if self.unknown.len() < MOST_BLOCKS && !self.unknown.contains(&n) {
-            self.unknown.push(n);
+        if self.unknown.len() < MOST_BLOCKS && !self.unknown.contains(&block) {
+            self.unknown.push(block);
         }
     }
 
-    /// Adds the way of the motion of block `n`, from where it is known; its end is missing where nobody knows it.
-    pub(super) fn add_motion(&mut self, motion: &Motion<'_>, n: u32) {
+    /// Adds the way of a block's motion, from where it is known; its end is missing where nobody knows it.
+    pub(super) fn add_motion(&mut self, motion: &Motion<'_>, block: &Executed<'_>) {
         for letter in motion.axes() {
             // Behind a change of origin the start is counted from the old one (MOT-8).
             let stale = motion.is_stale_along(letter);
             let (start, end) = (motion.start(letter).filter(|_| !stale), motion.end(letter));
             if end.is_none() || stale && motion.kind().is_working() {
-                self.lack(letter, n);
+                self.lack(letter, BlockName::of(block));
             }
             if motion.kind() != MotionType::Reference {
                 [start, end].into_iter().flatten().for_each(|position| self.add(letter, position));
             }
         }
         if let Some(arc) = motion.arc().filter(|arc| arc.center.is_none()) {
-            arc.plane.into_iter().for_each(|letter| self.lack(letter, n));
+            arc.plane.into_iter().for_each(|letter| self.lack(letter, BlockName::of(block)));
         }
         motion.extremes().for_each(|(letter, position)| self.add(letter, position));
     }
@@ -137,7 +138,7 @@ impl Extents {
                 Some(position) => self.add(axis.letter, position),
                 None => {
                     let unseen = self.unseen.get_mut(axis.letter as usize);
-                    unseen.into_iter().for_each(|unseen| *unseen = unseen.or(Some(block.n())));
+                    unseen.into_iter().for_each(|unseen| *unseen = unseen.or_else(|| Some(BlockName::of(block))));
                 }
             }
         }
@@ -150,8 +151,8 @@ impl Extents {
             let unseen = self.unseen.get(letter as usize).copied().flatten();
             if !all.has_moved(letter) {
                 *reach = Reach::default();
-            } else if let (false, Some(n)) = (reach.lacks, unseen) {
-                self.lack(letter, n);
+            } else if let (false, Some(block)) = (reach.lacks, unseen) {
+                self.lack(letter, block);
             }
         }
     }
@@ -161,6 +162,9 @@ impl Extents {
         for (letter, reach) in AxisLetter::ALL.into_iter().zip(part.axes) {
             let ends = reach.known.into_iter().flat_map(|(least, greatest)| [least, greatest]);
             ends.for_each(|position| self.add(letter, position));
+            if reach.lacks {
+                part.unknown.iter().for_each(|block| self.lack(letter, *block));
+            }
         }
     }
 

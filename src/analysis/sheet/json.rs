@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 
+use super::block_name::BlockName;
 use super::extents::Extents;
 use super::reader::{Sheet, ToolUse};
 use crate::analysis::motion::Summary;
@@ -96,6 +97,9 @@ struct ToolRecord {
     t: Option<Number>,
     /// The first block with it.
     n: u32,
+    /// The macrocycle that this block belongs to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    l: Option<u32>,
     /// How often M06 is executed with it; 0 before the first M06.
     changes: u64,
     /// Duration of the blocks with it.
@@ -125,6 +129,9 @@ struct ToolRecord {
     cutting_speeds: Option<[Number; 2]>,
     /// D of working motion.
     d: Vec<Number>,
+    /// F, S, D: those of which some values are not known.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    undetermined: Vec<String>,
     /// How far working motion reaches.
     extents: Reach,
 }
@@ -152,6 +159,9 @@ struct MRecord {
     count: u64,
     /// The first block with it.
     n: u32,
+    /// The macrocycle that this block belongs to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    l: Option<u32>,
 }
 
 /// A parameter.
@@ -165,6 +175,9 @@ struct ParameterRecord {
     value: Option<Number>,
     /// The first block that reads it.
     n: u32,
+    /// The macrocycle that this block belongs to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    l: Option<u32>,
 }
 
 /// A subprogram or macrocycle.
@@ -204,12 +217,15 @@ pub fn json(sheet: &Sheet, summary: &Summary, assumed: bool) -> String {
         m_functions: sheet
             .m_functions
             .iter()
-            .map(|(number, used)| MRecord { no: *number, count: used.count, n: used.n })
+            .map(|(number, used)| MRecord { no: *number, count: used.count, n: used.first.n, l: used.first.l })
             .collect(),
         parameters: sheet
             .parameters
             .iter()
-            .map(|(index, used)| ParameterRecord { r: *index, value: used.value.map(Number::from), n: used.n })
+            .map(|(index, used)| {
+                let BlockName { n, l } = used.first;
+                ParameterRecord { r: *index, value: used.value.map(Number::from), n, l }
+            })
             .collect(),
         units: sheet
             .units
@@ -229,7 +245,8 @@ fn tool(used: &ToolUse, summary: &Summary) -> ToolRecord {
     let total = summary.of_tool(used.tool);
     ToolRecord {
         t: used.tool.map(Number::from),
-        n: used.n,
+        n: used.first.n,
+        l: used.first.l,
         changes: used.changes,
         time_s: total.time_s.into(),
         time_lower_bound: total.is_lower_bound(),
@@ -245,6 +262,7 @@ fn tool(used: &ToolUse, summary: &Summary) -> ToolRecord {
         speeds: used.speeds.map(|(least, greatest)| [least.into(), greatest.into()]),
         cutting_speeds: used.cutting_speeds.map(|(least, greatest)| [least.into(), greatest.into()]),
         d: used.d.iter().map(|d| Number::from(*d)).collect(),
+        undetermined: used.undetermined.iter().map(|address| address.letter().to_string()).collect(),
         extents: reach(&used.extents),
     }
 }
@@ -259,6 +277,6 @@ fn reach(extents: &Extents) -> Reach {
         axes: extents.axes().filter_map(known).collect(),
         lower_bound: !lower_bound_axes.is_empty(),
         lower_bound_axes,
-        unknown_blocks: extents.unknown_blocks().to_vec(),
+        unknown_blocks: extents.unknown_blocks().iter().map(|block| block.n).collect(),
     }
 }

@@ -1,5 +1,6 @@
 //! The set-up sheet of a program: what the machine, the tools and the work must be like before it is started.
 
+mod block_name;
 mod document;
 mod extents;
 mod json;
@@ -7,6 +8,7 @@ mod reader;
 mod render;
 mod words;
 
+pub use block_name::BlockName;
 pub use document::{Document, document};
 pub use extents::{Extents, MOST_BLOCKS, Reach, Size};
 pub use json::{SCHEMA, json, schema};

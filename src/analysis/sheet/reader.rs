@@ -3,10 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
+use super::block_name::BlockName;
 use super::extents::{Extents, Size, moved_unseen};
 use crate::diag::{CallKind, Findings};
-use crate::dict::{Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
-use crate::run::{End, Executed, FeedUnit, Length, Motion, MotionType, Program, Sink};
+use crate::dict::{Address, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
+use crate::run::{End, Executed, FeedUnit, Motion, MotionType, Program, Sink};
 use crate::text::{FileId, Location};
 
 /// What stands above the first block.
@@ -44,9 +45,12 @@ impl Path {
         self.lacks && self.known().is_some()
     }
 
-    fn add(&mut self, length: Length) {
-        self.lacks |= length.missing().is_some();
-        self.length = self.length.plus(length.mm().unwrap_or_default());
+    fn add(&mut self, motion: &Motion<'_>) {
+        if !motion.is_in_degrees() {
+            let length = motion.length();
+            self.lacks |= length.missing().is_some();
+            self.length = self.length.plus(length.mm().unwrap_or_default());
+        }
     }
 }
 
@@ -56,7 +60,7 @@ pub struct ToolUse {
     /// The tool in the spindle; none before the first M06.
     pub tool: Option<Decimal>,
     /// The first block with it.
-    pub n: u32,
+    pub first: BlockName,
     /// How often M06 is executed with it.
     pub changes: u64,
     /// Path of working motion.
@@ -71,6 +75,8 @@ pub struct ToolUse {
     pub cutting_speeds: Option<(Decimal, Decimal)>,
     /// D of working motion.
     pub d: BTreeSet<Decimal>,
+    /// Which of F, S and D have values that are not known, besides.
+    pub undetermined: BTreeSet<Address>,
     /// How far working motion reaches.
     pub extents: Extents,
 }
@@ -81,7 +87,7 @@ pub struct MUse {
     /// How often it is executed.
     pub count: u64,
     /// The first block with it.
-    pub n: u32,
+    pub first: BlockName,
 }
 
 /// A parameter that the program reads before it gives it a value.
@@ -90,7 +96,7 @@ pub struct ParameterUse {
     /// The value that it holds at the start, if one was given.
     pub value: Option<Decimal>,
     /// The first block that reads it.
-    pub n: u32,
+    pub first: BlockName,
 }
 
 /// A subprogram or macrocycle.
@@ -166,7 +172,8 @@ impl SheetReader {
     /// Reads the words of a block.
     fn words(&mut self, block: &Executed<'_>) {
         for number in block.m_written() {
-            let known = self.sheet.m_functions.entry(*number).or_insert(MUse { count: 0, n: block.n() });
+            let known = self.sheet.m_functions.entry(*number);
+            let known = known.or_insert_with(|| MUse { count: 0, first: BlockName::of(block) });
             known.count += 1;
         }
         if !block.has_parameters() {
@@ -174,7 +181,8 @@ impl SheetReader {
         }
         for index in (0..96).filter(|index| block.state().is_read_from_machine(*index)) {
             let value = block.settings().machine.parameters.get(&index).copied();
-            self.sheet.parameters.entry(index).or_insert(ParameterUse { value, n: block.n() });
+            let known = self.sheet.parameters.entry(index);
+            known.or_insert_with(|| ParameterUse { value, first: BlockName::of(block) });
         }
     }
 
@@ -186,7 +194,7 @@ impl SheetReader {
         let at = match same.or_else(|| tools.iter().position(|known| known.tool == tool)) {
             Some(at) => at,
             None => {
-                tools.push(ToolUse { tool, n: block.n(), ..ToolUse::default() });
+                tools.push(ToolUse { tool, first: BlockName::of(block), ..ToolUse::default() });
                 tools.len() - 1
             }
         };
@@ -201,7 +209,7 @@ impl SheetReader {
             return;
         }
         if let Some(tool) = self.tool(block) {
-            letters.iter().for_each(|letter| tool.extents.lack(*letter, block.n()));
+            letters.iter().for_each(|letter| tool.extents.lack(*letter, BlockName::of(block)));
             tool.working.lacks = true;
             tool.rapid.lacks = true;
             tool.cuts(block);
@@ -209,22 +217,20 @@ impl SheetReader {
     }
 
     fn motion(&mut self, block: &Executed<'_>, motion: &Motion<'_>) {
-        let (n, moves_on) = (block.n(), block.moves_on());
         self.sheet.head.diameter |= block.g(GGroup::G10) == Some(GCode::G74);
         let kind = motion.kind();
-        let length = motion.length();
         let Some(tool) = self.tool(block) else { return };
         match kind {
-            MotionType::Rapid => tool.rapid.add(length),
+            MotionType::Rapid => tool.rapid.add(motion),
             MotionType::Linear | MotionType::ArcCw | MotionType::ArcCcw => {
-                tool.working.add(length);
-                tool.extents.add_motion(motion, n);
+                tool.working.add(motion);
+                tool.extents.add_motion(motion, block);
                 tool.extents.add_standing(block, motion);
             }
             MotionType::Thread | MotionType::Reference => {}
         }
         // F, S and D are those of the block before.
-        if kind != MotionType::Rapid && kind != MotionType::Reference && !moves_on {
+        if kind != MotionType::Rapid && kind != MotionType::Reference && !block.moves_on() {
             tool.cuts(block);
         }
     }
@@ -256,6 +262,8 @@ impl ToolUse {
             *speeds = Some((least.min(s), greatest.max(s)));
         }
         self.d.extend(block.d().filter(|d| *d != Decimal::ZERO));
+        let cutting = [Address::F, Address::S, Address::D];
+        self.undetermined.extend(block.state().undetermined().filter(|address| cutting.contains(address)));
     }
 }
 

@@ -44,6 +44,7 @@ bilingual! {
         Parameter "Parameter", "Parametr";
         Value "taken as", "předpokládá se";
         Unknown "not known", "neznámo";
+        PartlyUnknown "partly not known", "zčásti neznámo";
         Units "Subprograms and macrocycles", "Podprogramy a makrocykly";
         Unit "Unit", "Celek";
         Subprogram { l: u32 } "subprogram L{l}", "podprogram L{l}";

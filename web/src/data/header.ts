@@ -24,6 +24,10 @@ export interface Shape {
   a?: string;
   /** The axes of an arc whose centre is known, first-named first. */
   r?: string;
+  /** The block moves where nobody knows: a fixed cycle that is not mapped, a macrocycle of the machine. */
+  u?: true;
+  /** The motion starts where the tool does not stand, behind a change of origin. */
+  o?: true;
 }
 
 /** What a finding says, in both languages. */

@@ -543,6 +543,16 @@ export class Program {
     return typeof kept === 'number' ? kept : 0;
   }
 
+  /** The way of a row's motion in millimetres: 0 of one that has none or only turns, nothing when it is not known. */
+  way(row: number): number | undefined {
+    const shape = this.shapeOf(row);
+    if (shape.u === true || shape.m?.['length_missing'] !== undefined) {
+      return undefined;
+    }
+    const kept = this.header.extras[this.extra[row]!]!['motion'] as Fields | undefined;
+    return shape.l === 'deg' || kept?.['length_deg'] !== undefined ? 0 : this.lengthOf(row);
+  }
+
   #length(row: number, shape: Shape, arc: number): number {
     const before = this.before[row]!;
     let sum = arc * arc;

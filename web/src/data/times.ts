@@ -20,6 +20,7 @@ const JOINT = 1 << 4;
 const ANGLE = 1 << 5;
 const WITH = 1 << 6;
 const PIECE = 1 << 7;
+const UNKNOWN = 1 << 8;
 const STRETCH = 1 << 9;
 const MERGED = 1 << 10;
 const RAPID = 1 << 11;
@@ -291,6 +292,11 @@ export class Times {
 
   durationOf(index: number): number {
     return this.#start[index + 1]! - this.#start[index]!;
+  }
+
+  /** Whether the time of a block is not known: it takes at least its duration. */
+  isUnknown(index: number): boolean {
+    return this.#has(index, UNKNOWN);
   }
 
   /** Of all blocks in the page, in seconds. */

@@ -27,6 +27,9 @@ function spaceAxes(program: Program): Vector {
 
 /** What a shape draws; nothing when it moves none of X, Y, Z. */
 function lineOf(shape: Shape): LineShape | undefined {
+  if (shape.u === true && shape.m === undefined) {
+    return { kind: Kind.Linear, arc: false, unknown: true };
+  }
   const type = shape.m?.['type'];
   const moved = ((shape.m?.['axes'] ?? []) as string[]).filter((letter) => 'XYZ'.includes(letter));
   if (typeof type !== 'string' || moved.length === 0) {
@@ -49,6 +52,8 @@ export class Path {
   readonly workingBox: Box | undefined;
   /** Executed blocks whose line is not drawn because its start or end is not known. */
   readonly unknown: number;
+  /** Executed blocks whose line starts from a position of another origin. */
+  readonly stale: number;
   /** Executed blocks with a line. */
   readonly segments: number;
   /** The places of X, Y, Z among the axes of the machine; -1: it has none. */
@@ -94,7 +99,20 @@ export class Path {
     }
     this.segments = executions[1]!;
     this.unknown = executions[2]!;
+    this.stale = this.#stale(hasLine);
     [this.box, this.workingBox] = this.#boxes();
+  }
+
+  #stale(hasLine: Uint8Array): number {
+    const { program } = this;
+    let count = 0;
+    if (program.header.shapes.some((shape) => shape.o === true)) {
+      for (let index = 0; index < program.count; index += 1) {
+        const row = program.rowOf(index);
+        count += hasLine[row] === 1 && program.shapeOf(row).o === true ? 1 : 0;
+      }
+    }
+    return count;
   }
 
   #isArcInSpace(row: number): boolean {
@@ -216,19 +234,6 @@ export class Path {
     const sweep = Math.abs(program.sweep(row, program.shapeOf(row)));
     const step = radius > deviation ? 2 * Math.acos(1 - deviation / radius) : Math.PI / 2;
     return Math.min(Math.max(Math.ceil(sweep / step), Math.ceil((sweep * 4) / Math.PI), 2), 720);
-  }
-
-  /** How long a line is in space. */
-  length(row: number): number {
-    const parts = this.chords(row, 1e-3);
-    let length = 0;
-    let from = this.start(row);
-    for (let part = 1; part <= parts; part += 1) {
-      const to = this.at(row, part / parts);
-      length += Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-      from = to;
-    }
-    return length;
   }
 
   /** Makes room for another path. */

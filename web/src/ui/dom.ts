@@ -110,3 +110,8 @@ export function clock(seconds: number): string {
   const rest = (seconds - whole).toFixed(1).slice(1);
   return `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}${rest}`;
 }
+
+/** A value that may be greater than is known. */
+export function least(value: string, more: boolean): string {
+  return more ? `${t('lowerBound')} ${value}` : value;
+}

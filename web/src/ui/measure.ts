@@ -4,7 +4,7 @@ import type { App } from '../app.ts';
 import type { Size } from '../data/header.ts';
 import { type Key, t } from '../i18n.ts';
 import type { View } from '../scene/view.ts';
-import { clock, h, idle, rebuild, shown } from './dom.ts';
+import { clock, h, idle, least, rebuild, shown } from './dom.ts';
 
 export function measure(app: App, view: View): HTMLElement {
   const element = h('div', { class: 'measure' });
@@ -92,20 +92,22 @@ export function measure(app: App, view: View): HTMLElement {
     };
     if (stretch !== undefined) {
       const [from, to] = [Math.min(stretch.from, stretch.to), Math.max(stretch.from, stretch.to)];
-      let length = 0;
+      const { program, times } = app;
+      let [length, isShort, isBrief] = [0, false, false];
       for (let index = from; index <= to; index += 1) {
-        const row = app.program.rowOf(index);
-        if (app.path.hasLine(row)) {
-          length += app.path.length(row);
-        }
+        const way = program.way(program.rowOf(index));
+        length += way ?? 0;
+        isShort ||= way === undefined;
+        isBrief ||= times?.isUnknown(index) === true;
       }
-      const n = (index: number): string => `N${app.program.n[app.place(index).block]!}`;
+      const n = (index: number): string => `N${program.n[app.place(index).block]!}`;
       const rows: [string, string][] = [
         [`${n(from)} … ${n(to)}`, t('blockCount', { n: to - from + 1 })],
-        [t('pathLength'), `${shown(length)} mm`],
+        [t('pathLength'), least(`${shown(length)} mm`, isShort)],
       ];
-      if (app.times !== undefined) {
-        rows.push([t('time'), clock(app.times.startOf(to) + app.times.durationOf(to) - app.times.startOf(from))]);
+      if (times !== undefined) {
+        const time = times.startOf(to) + times.durationOf(to) - times.startOf(from);
+        rows.push([t('time'), least(clock(time), isBrief)]);
       }
       section.append(h('dl', {}, ...rows.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)])));
     }

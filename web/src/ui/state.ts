@@ -4,7 +4,7 @@ import type { App } from '../app.ts';
 import type { Fields } from '../data/header.ts';
 import { quoted } from '../data/shell.ts';
 import { type Key, named, t } from '../i18n.ts';
-import { clock, h, idle, local, rebuild, shown } from './dom.ts';
+import { clock, h, idle, least, local, rebuild, shown } from './dom.ts';
 
 /** The record of an executed block with that of its motion: one flat object. */
 export function currentRecord(app: App): Fields | null {
@@ -249,9 +249,12 @@ export class State {
     if (typeof record['start_s'] === 'number') {
       rows.push([t('start'), clock(record['start_s'])]);
     }
-    number('duration', 'duration_s', 's', 3);
     const { program, times } = this.#app;
     const index = this.#app.current!;
+    if (typeof record['duration_s'] === 'number') {
+      const more = times?.isUnknown(index) === true;
+      rows.push([t('duration'), least(`${shown(record['duration_s'], 3)} s`, more)]);
+    }
     const unit = program.feedUnit(program.rowOf(index));
     number('programmed', 'programmed', unit);
     if (typeof record['cap'] === 'number') {
@@ -300,13 +303,14 @@ export class State {
 
   /** What is left, and what comes next. */
   #ahead(): HTMLElement | null {
-    const { history, program, times } = this.#app;
+    const { header, history, program, times } = this.#app;
+    const { start_s, total } = header;
     const index = this.#app.current!;
-    const rows: [Key, string | HTMLElement][] = [
-      ['blocksLeft', local(this.#app.header.blocks - program.from - index - 1, 0)],
-    ];
-    if (times !== undefined) {
-      rows.push(['timeLeft', clock(Math.max(times.total - times.startOf(index) - times.durationOf(index), 0))]);
+    const rows: [Key, string | HTMLElement][] = [['blocksLeft', local(header.blocks - program.from - index - 1, 0)]];
+    const whole = total?.['time_s'];
+    if (times !== undefined && typeof whole === 'number') {
+      const left = whole - start_s - times.startOf(index) - times.durationOf(index);
+      rows.push(['timeLeft', least(clock(Math.max(left, 0)), total?.['at_least'] === true)]);
     }
     const { tool, stop, rapid } = history.ahead(index);
     for (const [key, next] of [

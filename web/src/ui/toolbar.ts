@@ -4,7 +4,7 @@ import type { App, ColourBy, Shown } from '../app.ts';
 import { type Key, language, t } from '../i18n.ts';
 import { css } from '../scene/colours.ts';
 import type { Standard, View } from '../scene/view.ts';
-import { clock, h, labelled, local, said } from './dom.ts';
+import { clock, h, labelled, least, local, said } from './dom.ts';
 
 export function title(app: App): HTMLElement {
   const heading = h('h1');
@@ -15,12 +15,11 @@ export function title(app: App): HTMLElement {
     heading.replaceChildren(title === undefined ? `%${number}` : `%${number} ${title}`);
     document.title = `${heading.textContent} – ${program.name}`;
     const time = total?.['time_s'];
-    const least = total?.['at_least'] === true ? `${t('lowerBound')} ` : '';
     const approach = total?.['without_approach'] === true ? `, ${t('withoutApproach')}` : '';
     facts.title = program.name;
     const parts = [program.name.split(/[/\\]/).pop() ?? '', t('blockCount', { n: local(app.header.blocks) })];
     if (typeof time === 'number') {
-      parts.push(least + clock(time) + approach);
+      parts.push(least(clock(time), total?.['at_least'] === true) + approach);
     }
     facts.textContent = parts.join(' · ');
   };
@@ -161,6 +160,9 @@ export function legend(app: App, view: View): HTMLElement {
     }
     if (path.unknown > 0) {
       said.push(t('unknownLines', { n: path.unknown }));
+    }
+    if (path.stale > 0) {
+      said.push(t('staleLines', { n: path.stale }));
     }
     const moved = new Set(header.shapes.flatMap((shape) => (shape.m?.['axes'] ?? []) as string[]));
     const others = (kind: string): string =>
