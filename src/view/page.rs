@@ -51,6 +51,25 @@ pub(super) fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
 
+    /// One word for one thing.
+    #[test]
+    #[expect(clippy::disallowed_methods, reason = "the viewer's source")]
+    fn reasons_at_joints_have_the_texts_of_motion() {
+        use crate::analysis::motion::{Break, Limit};
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/web/src/i18n.ts");
+        let texts = std::fs::read_to_string(path).unwrap();
+        let has = |key: String, text: &dyn Fn(Lang) -> String| {
+            let line = format!("  {key}: ['{}', '{}'],\n", text(Lang::En), text(Lang::Cs));
+            assert!(texts.contains(&line), "{line}");
+        };
+        for reason in Break::ALL {
+            has(format!("broken_{}", reason.name()), &|lang| reason.text(lang));
+        }
+        for reason in Limit::ALL {
+            has(format!("limited_{}", reason.name()), &|lang| reason.text(lang));
+        }
+    }
+
     #[test]
     fn what_the_page_embeds_ends_no_script() {
         assert!(!VIEWER.contains("</script"), "web/build.mjs writes <\\/script");
