@@ -55,7 +55,8 @@ def _message(report: Report, otherwise: str) -> str:
     errors = [finding for finding in report.findings if finding.severity == "error"]
     if not errors:
         return otherwise
-    more = len(errors) - 1
+    # Only so many findings are listed.
+    more = report.errors - 1
     return f"{errors[0]} (and {more} more)" if more else str(errors[0])
 
 

@@ -33,7 +33,7 @@ class Options(TypedDict, total=False):
     max_blocks: int | None
     """Most blocks that are executed."""
     allow: str | Iterable[str] | None
-    """Codes or names of warnings that are not wanted."""
+    """Codes or names of warnings that are not wanted. ``deny`` wins over ``warn``, and ``warn`` over this."""
     warn: str | Iterable[str] | None
     """Codes or names of findings that are warnings."""
     deny: str | Iterable[str] | None

@@ -2,7 +2,7 @@
 
 use std::ffi::CString;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use cnc872c::cli::stats_cache::{Cache, fresh};
 use cnc872c::cli::walk::{Origin, Target, targets};
@@ -100,7 +100,7 @@ pub fn check(
 ) -> PyResult<String> {
     let options = Options::new(options)?;
     let (paths, text) = (paths(programs)?, text.map(Arc::from));
-    let made = work(py, |goes_on| {
+    let made = work(py, move |goes_on| {
         let mut many = Many::new(paths, text, &options, &Search { macrocycles: true, empty: allow_empty })?;
         let mut report = many.setup.report()?;
         let check = |target: &Target, session: &Session<'_>| {
@@ -130,8 +130,9 @@ pub fn stats(
 ) -> PyResult<Table> {
     let options = Options::new(options)?;
     let (paths, text) = (paths(programs)?, text.map(Arc::from));
-    let mut damage = None;
-    let made = work(py, |goes_on| {
+    let damage = Arc::new(OnceLock::new());
+    let told = Arc::clone(&damage);
+    let made = work(py, move |goes_on| {
         let cache = match cache {
             Some(folder) => match Cache::open(&folder) {
                 Ok(cache) => Some((cache, folder)),
@@ -139,7 +140,9 @@ pub fn stats(
             },
             None => None,
         };
-        damage = cache.as_ref().and_then(|(cache, _)| cache.damage()).map(|damage| damage.text(options.lang));
+        if let Some(damage) = cache.as_ref().and_then(|(cache, _)| cache.damage()) {
+            told.get_or_init(|| damage.text(options.lang));
+        }
         let mut many = Many::new(paths, text, &options, &Search { macrocycles: false, empty: false })?;
         many.setup.report()?;
         let (mut kept, mut failed) = (Kept::default(), None);
@@ -169,8 +172,8 @@ pub fn stats(
         rows.end().map_err(unkept)?;
         Ok(Table::from(kept))
     })?;
-    if let Some(damage) = damage {
-        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(damage)?, 1)?;
+    if let Some(damage) = damage.get() {
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(damage.as_str())?, 1)?;
     }
     made.map_err(|fault: Fault| fault.raise(py))
 }

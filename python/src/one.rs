@@ -42,13 +42,13 @@ pub struct One<'a> {
 }
 
 /// Configures one program, and does `work` with it, without the interpreter's lock.
-pub fn one<T: Send>(
+pub fn one<T: Send + 'static>(
     py: Python<'_>,
     program: Program,
     options: Options,
-    run: impl FnOnce(One<'_>) -> Result<T, Fault> + Send,
+    run: impl FnOnce(One<'_>) -> Result<T, Fault> + Send + 'static,
 ) -> PyResult<T> {
-    work(py, |goes_on| with_one(program, &options, goes_on, run))?.map_err(|fault| fault.raise(py))
+    work(py, move |goes_on| with_one(program, &options, goes_on, run))?.map_err(|fault| fault.raise(py))
 }
 
 fn with_one<T>(
@@ -113,7 +113,7 @@ pub fn compile(
     first: i64,
     limit: Option<i64>,
 ) -> PyResult<Made> {
-    one(py, program, Options::new(options)?, |one| {
+    one(py, program, Options::new(options)?, move |one| {
         let part = part(first, limit)?;
         let (mut kept, mut failed) = (Kept::default(), None);
         let sink = BlockTable::new(part, &mut kept, &mut failed);
@@ -132,7 +132,7 @@ pub fn motion(
     set: &Bound<'_, PyAny>,
 ) -> PyResult<Made> {
     let tried = tried(set)?;
-    one(py, program, Options::new(options)?.with_motion(tried.clone()), |one| {
+    one(py, program, Options::new(options)?.with_motion(tried.clone()), move |one| {
         let settings = one.session.settings;
         check_tried(&tried, settings)?;
         let (mut kept, mut failed, mut jerk_free) = (Kept::default(), None, 0);
@@ -193,7 +193,7 @@ pub struct Wanted {
 /// The signals of the PLC.
 #[pyfunction]
 pub fn plc(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, wanted: Wanted) -> PyResult<Made> {
-    one(py, program, Options::new(options)?.with_motion(Vec::new()), |mut one| {
+    one(py, program, Options::new(options)?.with_motion(Vec::new()), move |mut one| {
         let session = one.session;
         let machine = &session.settings.machine;
         let condition = match wanted.find.as_deref().map(|text| (text, Condition::read(text, machine))) {
@@ -281,7 +281,7 @@ pub fn compare(
 ) -> PyResult<String> {
     let options = Options::new(options)?;
     let tolerances = differences.tolerances().map_err(|fault| fault.raise(py))?;
-    let made = work(py, |goes_on| {
+    let made = work(py, move |goes_on| {
         let read = |program| with_one(program, &options, goes_on, |one| steps(one, &differences));
         let (old, new) = rayon::join(|| read(old), || read(new));
         let ((old, old_steps), (new, new_steps)) = (old?, new?);
@@ -304,7 +304,7 @@ fn steps(mut one: One<'_>, differences: &Differences) -> Result<(Side, Steps), F
 /// A program in one layout, and how many lines stay because they cannot be read.
 #[pyfunction]
 pub fn format(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>) -> PyResult<(Vec<u8>, usize)> {
-    one(py, program, Options::new(options)?, |mut one| {
+    one(py, program, Options::new(options)?, move |mut one| {
         let unread = |error| Fault::Io(one.path.into(), error);
         let bytes = one.session.loader.read(one.path).map_err(unread)?;
         let settings = one.session.settings;

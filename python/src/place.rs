@@ -76,7 +76,7 @@ fn no_place(one: &mut One<'_>, outcome: Outcome, fault: &PlaceFault, asked: &Ask
 /// What holds at a place, as JSON.
 #[pyfunction]
 pub fn state(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, at: At) -> PyResult<String> {
-    one(py, program, Options::new(options)?, |mut one| {
+    one(py, program, Options::new(options)?, move |mut one| {
         let settings = one.session.settings;
         let asked = at.asked(&mut one)?;
         let run = one.session.state(one.path, &one.name, asked.clone(), Timing::Configured);
@@ -125,7 +125,7 @@ pub fn restart(
     at: At,
     start: Start,
 ) -> PyResult<Vec<u8>> {
-    one(py, program, Options::new(options)?, |mut one| {
+    one(py, program, Options::new(options)?, move |mut one| {
         let start = start.options()?;
         let asked = at.asked(&mut one)?;
         let made = starting::restart(&one.session, one.path, &one.name, &asked, start, one.lang);
@@ -148,7 +148,7 @@ type Spots = (Vec<(u64, u32, Option<String>, u32, u64, Option<f64>, bool)>, u64)
 /// The tool changes and rapids at which a start is possible.
 #[pyfunction]
 pub fn restart_places(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, start: Start) -> PyResult<Spots> {
-    one(py, program, Options::new(options)?, |mut one| {
+    one(py, program, Options::new(options)?, move |mut one| {
         let (outcome, found) = starting::list(&one.session, one.path, &one.name, start.options()?);
         let Some(starting::Places { spots, with_safe: more, .. }) = found else {
             return Err(broken(&mut one, outcome));

@@ -1,5 +1,6 @@
 //! Long work: without the interpreter's lock, and stopped by Ctrl-C.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,13 +12,17 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// So often it is asked whether somebody pressed Ctrl-C.
 const ASK: Duration = Duration::from_millis(50);
+/// So long cancelled work is waited for.
+const STOPS: Duration = Duration::from_millis(500);
 
 /// Asked from time to time during long work with the number of blocks executed; `false`: it has to stop.
 pub type GoesOn<'a> = dyn Fn(u64) -> bool + Sync + 'a;
 
+/// The threads, and the process that has them.
+static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+
 /// The threads of this process. A process that was forked has none of the threads of its parent, and gets its own.
 fn pool() -> PyResult<Arc<ThreadPool>> {
-    static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
     let process = std::process::id();
     let mut known = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((of, pool)) = known.as_ref()
@@ -35,36 +40,36 @@ fn pool() -> PyResult<Arc<ThreadPool>> {
 /// What `work` makes, in another thread. Python's own threads run meanwhile.
 ///
 /// # Errors
-/// The exception that a signal raises, as Ctrl-C does; the work has stopped then.
-pub fn work<T: Send>(py: Python<'_>, work: impl FnOnce(&GoesOn<'_>) -> T + Send) -> PyResult<T> {
-    let pool = pool()?;
-    let cancelled = AtomicBool::new(false);
-    let mut raised = None;
-    let made = py.detach(|| {
-        let mut made = None;
-        let (done, wait) = sync_channel(1);
-        pool.in_place_scope(|scope| {
-            let (made, cancelled) = (&mut made, &cancelled);
-            scope.spawn(move |_| {
-                // Gone when the work is done, also by a panic.
-                let _done = done;
-                *made = Some(work(&|_| !cancelled.load(Ordering::Relaxed)));
-            });
-            while let Err(RecvTimeoutError::Timeout) = wait.recv_timeout(ASK) {
-                if raised.is_none()
-                    && let Err(error) = Python::attach(|py| py.check_signals())
-                {
-                    cancelled.store(true, Ordering::Relaxed);
-                    raised = Some(error);
+/// The exception that a signal raises, as Ctrl-C does. The work has stopped then, or stops as soon as it can: it may wait
+/// for a pipe that nobody writes.
+pub fn work<T: Send + 'static>(py: Python<'_>, work: impl FnOnce(&GoesOn<'_>) -> T + Send + 'static) -> PyResult<T> {
+    let cancelled = Arc::new(AtomicBool::new(false));
+    let (done, wait) = sync_channel(1);
+    let asked = Arc::clone(&cancelled);
+    pool()?.spawn(move || {
+        let made = catch_unwind(AssertUnwindSafe(|| work(&|_| !asked.load(Ordering::Relaxed))));
+        // Nobody waits for work that was cancelled long ago.
+        let _: Result<(), _> = done.send(made);
+    });
+    let made = py.detach(move || {
+        loop {
+            match wait.recv_timeout(ASK) {
+                Ok(made) => return Ok(made),
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(PyRuntimeError::new_err("the work ended without a result"));
+                }
+                Err(RecvTimeoutError::Timeout) => {
+                    if let Err(error) = Python::attach(|py| py.check_signals()) {
+                        cancelled.store(true, Ordering::Relaxed);
+                        if wait.recv_timeout(STOPS).is_err() {
+                            // One of the threads may never come back: the next call gets others.
+                            std::mem::forget(POOL.lock().unwrap_or_else(PoisonError::into_inner).take());
+                        }
+                        return Err(error);
+                    }
                 }
             }
-            let _: Result<(), _> = wait.try_recv();
-        });
-        made
+        }
     });
-    match (raised, made) {
-        (Some(error), _) => Err(error),
-        (None, Some(made)) => Ok(made),
-        (None, None) => Err(PyRuntimeError::new_err("the work ended without a result")),
-    }
+    made?.map_or_else(|panic| resume_unwind(panic), Ok)
 }

@@ -258,6 +258,12 @@ def test_errors_can_be_pickled() -> None:
     assert (type(again), str(again), again.findings) == (cnc872c.ProgramError, str(raised.value), raised.value.findings)
 
 
+def test_all_errors_are_counted() -> None:
+    text = "%1\n" + "".join(f"N{n} X5,5\n" for n in range(1, 10_102)) + "N20000 M30\n"
+    with pytest.raises(cnc872c.ProgramError, match=r"and 10100 more\)$"):
+        cnc872c.compile(text=text)
+
+
 def test_the_command(folder: Path) -> None:
     (folder / "part.nc").write_text(FAULTY)
     made = run("check", "part.nc", cwd=folder)

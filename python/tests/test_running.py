@@ -41,6 +41,23 @@ def test_ctrl_c_stops_a_long_call(name: str) -> None:
 
 
 @WITH_SIGNALS
+@pytest.mark.parametrize("name", ["check", "compile", "format"])
+def test_ctrl_c_stops_a_call_that_waits_for_a_pipe(name: str, folder: Path) -> None:
+    # More calls than there are threads.
+    for at in range(5):
+        pipe = folder / f"pipe{at}.nc"
+        os.mkfifo(pipe)
+        timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        start = time.monotonic()
+        with pytest.raises(KeyboardInterrupt):
+            getattr(cnc872c, name)(pipe)
+        assert time.monotonic() - start < 10
+        timer.join()
+    assert cnc872c.check(text=WHOLE).ok
+
+
+@WITH_SIGNALS
 def test_ctrl_c_ends_the_command(folder: Path) -> None:
     (folder / "endless.nc").write_text(ENDLESS)
     command = [sys.executable, "-m", "cnc872c", "check", "endless.nc", "--max-blocks", "999999999999"]
