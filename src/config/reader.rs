@@ -10,7 +10,7 @@ use super::near::nearest;
 use super::number::{parse_decimal, parse_rounding};
 use super::row::{Default, Row};
 use super::sections::{Form, ROOT, SECTIONS, Section};
-use super::takes::{HIGHEST_M, List, Takes, lasting, whole};
+use super::takes::{HIGHEST_M, List, Takes, lasting};
 use super::toml_problem::toml_problem;
 use super::{Axis, Gear, MayMove};
 use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, KnownNames, LabelText, NameKind, shown};
@@ -216,12 +216,7 @@ impl<'t> Reader<'t> {
     /// Puts the value of an entry into its field when `takes` takes it; else it is reported.
     fn take(&mut self, table: Table<'_>, entry: Entry<'_>, takes: Takes) {
         let path = format!("{}{}", table.path, entry.name);
-        let takes = match (takes, path.as_str()) {
-            (Takes::Whole { min, set, .. }, "gears.min" | "gears.max") => {
-                whole(min, i64::from(self.draft.settings.machine.limits.speed), set)
-            }
-            (takes, _) => takes,
-        };
+        let takes = takes.under(self.draft.settings.machine.limits.speed);
         self.draft.place = Place { key: entry.key, at: entry.at, from: self.from };
         let value = entry.item.as_value();
         let text = value.and_then(Value::as_str);
@@ -232,6 +227,8 @@ impl<'t> Reader<'t> {
             Takes::OneOf(choices, set) => {
                 text.filter(|text| choices().contains(text)).map(|text| set(self.draft, text))
             }
+            // A speed is a whole number by now.
+            Takes::Speed(_) => None,
             Takes::Whole { min, max, set } => integer
                 .filter(|&number| number >= min && max.is_none_or(|max| number <= max))
                 .map(|number| set(self.draft, number)),

@@ -23,6 +23,7 @@ fn taken(takes: Takes) -> Vec<String> {
             let highest = max.unwrap_or(min + 1_000_000);
             vec![min.to_string(), (min + 1).to_string(), highest.to_string()]
         }
+        Takes::Speed(_) => vec!["0".to_owned(), "1".to_owned(), "9999".to_owned()],
         Takes::Number { min, max, .. } => vec![min.to_string(), "1.5".to_owned(), max.to_string()],
         Takes::Rapid { min, max, .. } => {
             vec![min.to_string(), "1.5".to_owned(), max.to_string(), "{ X = 5000 }".to_owned()]
@@ -38,8 +39,9 @@ fn taken(takes: Takes) -> Vec<String> {
 /// A value for a key that must be there.
 fn needed(row: &Row) -> String {
     let values = taken(row.takes);
-    // The upper end of a gear is not below its lower one, nor above `limits.speed`.
-    if row.name == "max" { "9999".to_owned() } else { values[0].clone() }
+    // The upper end of a gear is not below its lower one.
+    let value = if row.name == "max" { values.last() } else { values.first() };
+    value.unwrap().clone()
 }
 
 /// The text that sets one key of a table, with what else the table must have.

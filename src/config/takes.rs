@@ -29,6 +29,8 @@ pub(super) enum Takes {
         /// Sets it.
         set: fn(&mut Draft, i64),
     },
+    /// A speed in rev/min, up to `limits.speed`.
+    Speed(fn(&mut Draft, i64)),
     /// A number, both ends included; rounded to 0.001, halves away from zero.
     Number {
         /// Least.
@@ -112,10 +114,17 @@ macro_rules! one_of {
 }
 pub(super) use one_of;
 
+/// The greatest S that can be configured, in rev/min (§11).
+pub(super) const HIGHEST_SPEED: i64 = 99_999;
 /// The highest M number (§2).
 pub(super) const HIGHEST_M: i64 = Dialect::HIGHEST_M as i64;
 
 impl Takes {
+    /// The same under these limits: a speed is a whole number up to theirs.
+    pub(super) fn under(self, speed: u32) -> Self {
+        if let Self::Speed(set) = self { whole(0, speed.into(), set) } else { self }
+    }
+
     /// The description of the range in a message about a wrong value.
     pub(super) fn need(self) -> ConfigNeed {
         match self {
@@ -126,6 +135,7 @@ impl Takes {
             Self::Texts(List::Letters, _) => ConfigNeed::Letters,
             Self::OneOf(choices, _) => ConfigNeed::OneOf { choices: choices().join(", ") },
             Self::Whole { min, max: Some(max), .. } => ConfigNeed::Whole { min, max },
+            Self::Speed(_) => ConfigNeed::Whole { min: 0, max: HIGHEST_SPEED },
             Self::Whole { min, max: None, .. } => ConfigNeed::AtLeast { min },
             Self::Number { min, max, .. } => ConfigNeed::Number { min: min.to_string(), max: max.to_string() },
             Self::Rapid { min, max, .. } => ConfigNeed::NumberOrAxes { min: min.to_string(), max: max.to_string() },
@@ -145,6 +155,7 @@ impl Takes {
             Self::OneOf(choices, _) => json!({ "enum": choices() }),
             Self::Whole { min, max: Some(max), .. } => json!({ "type": "integer", "minimum": min, "maximum": max }),
             Self::Whole { min, max: None, .. } => json!({ "type": "integer", "minimum": min }),
+            Self::Speed(set) => whole(0, HIGHEST_SPEED, set).schema(),
             Self::Number { min, max, .. } => range(min, max, "number"),
             Self::Rapid { min, max, .. } => {
                 let letters: serde_json::Map<String, Value> = AxisLetter::ALL
@@ -207,6 +218,7 @@ impl Takes {
             Self::Whole { min, max: None, .. } => {
                 text(&format!("whole number, {min} or more"), &format!("celé číslo {min} nebo větší"))
             }
+            Self::Speed(set) => whole(0, HIGHEST_SPEED, set).shown(lang),
             Self::Number { min, max, .. } => text(&format!("number {min}–{max}"), &format!("číslo {min}–{max}")),
             Self::Rapid { min, max, .. } => text(
                 &format!("number {min}–{max}, or a table of such by axis letter"),
