@@ -1,5 +1,7 @@
 //! The severity that each code has in a run.
 
+use std::sync::LazyLock;
+
 use super::{Code, LIMIT_PER_CODE, Severity};
 
 /// What each code is in this run: an error, a warning, or allowed. Findings carry it from the moment they are added, so
@@ -45,7 +47,10 @@ impl Levels {
 impl Default for Levels {
     /// The levels of the registry.
     fn default() -> Self {
-        Self::new(|code| (!code.is_off()).then_some(code.severity()))
+        // Findings are made for each part of a text, and each block that is followed.
+        static OF_REGISTRY: LazyLock<Levels> =
+            LazyLock::new(|| Levels::new(|code| (!code.is_off()).then_some(code.severity())));
+        *OF_REGISTRY
     }
 }
 
