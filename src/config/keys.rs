@@ -5,7 +5,7 @@ use super::draft::{Draft, narrow};
 use super::format::{Codes, Numbers};
 use super::row::Default::{ByDialect, Is, Nothing, Required};
 use super::row::{Row, row, rows, words};
-use super::takes::{HIGHEST_SPEED, List, Takes, number, one_of, whole};
+use super::takes::{List, Takes, number, one_of, whole};
 use super::{ArcCenters, G97, SpindleAxis};
 use crate::dict::{AxisLetter, Dialect};
 use crate::text::Encoding;
@@ -14,6 +14,13 @@ use crate::text::Encoding;
 const AXIS_KINDS: [(&str, bool); 2] = [("linear", false), ("rotary", true)];
 /// Any position or distance (§2), in thousandths.
 const DIMENSION: i64 = 69_999_999;
+/// Greatest S that can be configured, in rev/min (§11).
+const HIGHEST_SPEED: i64 = 99_999;
+
+/// A speed of a gear.
+const fn speed(set: fn(&mut Draft, i64)) -> Takes {
+    Takes::Speed { max: HIGHEST_SPEED, set }
+}
 
 fn spindle_axes() -> Vec<(&'static str, SpindleAxis)> {
     let letters = AxisLetter::ALL.map(|letter| (letter.name(), SpindleAxis::Letter(letter)));
@@ -90,9 +97,9 @@ rows! {
     GEAR:
     "m" "MFN-9" example "41": whole(41, 44, |it, m| it.gear.m = u8::try_from(m).ok()), Required =>
         "the function of the range, M41 to M44, each once", "funkce rozsahu, M41 až M44, každá jednou";
-    "min" "MFN-9" example "20": Takes::Speed(|it, min| it.gear.min = u32::try_from(min).ok()), Required =>
+    "min" "MFN-9" example "20": speed(|it, min| it.gear.min = u32::try_from(min).ok()), Required =>
         "least speed of the range in rev/min", "nejnižší otáčky rozsahu v ot/min";
-    "max" "MFN-9" example "500": Takes::Speed(|it, max| it.gear.max = u32::try_from(max).ok()), Required =>
+    "max" "MFN-9" example "500": speed(|it, max| it.gear.max = u32::try_from(max).ok()), Required =>
         "greatest speed of the range in rev/min, not below `min`, not above `limits.speed`",
         "nejvyšší otáčky rozsahu v ot/min, ne pod `min`, ne nad `limits.speed`";
     "output" "PLC-8": number(1, 1000, |it, part| it.gear.output = Some(part)), Is("1") =>

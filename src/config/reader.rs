@@ -228,7 +228,7 @@ impl<'t> Reader<'t> {
                 text.filter(|text| choices().contains(text)).map(|text| set(self.draft, text))
             }
             // A speed is a whole number by now.
-            Takes::Speed(_) => None,
+            Takes::Speed { .. } => None,
             Takes::Whole { min, max, set } => integer
                 .filter(|&number| number >= min && max.is_none_or(|max| number <= max))
                 .map(|number| set(self.draft, number)),

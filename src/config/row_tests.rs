@@ -23,7 +23,7 @@ fn taken(takes: Takes) -> Vec<String> {
             let highest = max.unwrap_or(min + 1_000_000);
             vec![min.to_string(), (min + 1).to_string(), highest.to_string()]
         }
-        Takes::Speed(_) => vec!["0".to_owned(), "1".to_owned(), "9999".to_owned()],
+        Takes::Speed { .. } => vec!["0".to_owned(), "1".to_owned(), "9999".to_owned()],
         Takes::Number { min, max, .. } => vec![min.to_string(), "1.5".to_owned(), max.to_string()],
         Takes::Rapid { min, max, .. } => {
             vec![min.to_string(), "1.5".to_owned(), max.to_string(), "{ X = 5000 }".to_owned()]

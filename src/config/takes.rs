@@ -30,7 +30,12 @@ pub(super) enum Takes {
         set: fn(&mut Draft, i64),
     },
     /// A speed in rev/min, up to `limits.speed`.
-    Speed(fn(&mut Draft, i64)),
+    Speed {
+        /// Greatest of `limits.speed`.
+        max: i64,
+        /// Sets it.
+        set: fn(&mut Draft, i64),
+    },
     /// A number, both ends included; rounded to 0.001, halves away from zero.
     Number {
         /// Least.
@@ -114,15 +119,13 @@ macro_rules! one_of {
 }
 pub(super) use one_of;
 
-/// The greatest S that can be configured, in rev/min (§11).
-pub(super) const HIGHEST_SPEED: i64 = 99_999;
 /// The highest M number (§2).
 pub(super) const HIGHEST_M: i64 = Dialect::HIGHEST_M as i64;
 
 impl Takes {
     /// The same under these limits: a speed is a whole number up to theirs.
     pub(super) fn under(self, speed: u32) -> Self {
-        if let Self::Speed(set) = self { whole(0, speed.into(), set) } else { self }
+        if let Self::Speed { set, .. } = self { whole(0, speed.into(), set) } else { self }
     }
 
     /// The description of the range in a message about a wrong value.
@@ -135,7 +138,7 @@ impl Takes {
             Self::Texts(List::Letters, _) => ConfigNeed::Letters,
             Self::OneOf(choices, _) => ConfigNeed::OneOf { choices: choices().join(", ") },
             Self::Whole { min, max: Some(max), .. } => ConfigNeed::Whole { min, max },
-            Self::Speed(_) => ConfigNeed::Whole { min: 0, max: HIGHEST_SPEED },
+            Self::Speed { max, .. } => ConfigNeed::Whole { min: 0, max },
             Self::Whole { min, max: None, .. } => ConfigNeed::AtLeast { min },
             Self::Number { min, max, .. } => ConfigNeed::Number { min: min.to_string(), max: max.to_string() },
             Self::Rapid { min, max, .. } => ConfigNeed::NumberOrAxes { min: min.to_string(), max: max.to_string() },
@@ -155,7 +158,7 @@ impl Takes {
             Self::OneOf(choices, _) => json!({ "enum": choices() }),
             Self::Whole { min, max: Some(max), .. } => json!({ "type": "integer", "minimum": min, "maximum": max }),
             Self::Whole { min, max: None, .. } => json!({ "type": "integer", "minimum": min }),
-            Self::Speed(set) => whole(0, HIGHEST_SPEED, set).schema(),
+            Self::Speed { max, set } => whole(0, max, set).schema(),
             Self::Number { min, max, .. } => range(min, max, "number"),
             Self::Rapid { min, max, .. } => {
                 let letters: serde_json::Map<String, Value> = AxisLetter::ALL
@@ -218,7 +221,7 @@ impl Takes {
             Self::Whole { min, max: None, .. } => {
                 text(&format!("whole number, {min} or more"), &format!("celé číslo {min} nebo větší"))
             }
-            Self::Speed(set) => whole(0, HIGHEST_SPEED, set).shown(lang),
+            Self::Speed { max, set } => whole(0, max, set).shown(lang),
             Self::Number { min, max, .. } => text(&format!("number {min}–{max}"), &format!("číslo {min}–{max}")),
             Self::Rapid { min, max, .. } => text(
                 &format!("number {min}–{max}, or a table of such by axis letter"),
