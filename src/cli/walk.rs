@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use crate::disk::{self, canonical, entries, is_stdin};
 use crate::session::Session;
+use crate::sure::Sure;
 use crate::text::{BrokenLink, path_name};
 
 /// One file to look at.
@@ -30,6 +31,12 @@ pub enum Origin {
     Searched,
     /// A search of a folder found a link to it, or to a folder that it is in.
     Linked,
+}
+
+impl Origin {
+    fn is_linked(self) -> bool {
+        self == Self::Linked
+    }
 }
 
 impl Target {
@@ -112,8 +119,10 @@ impl Search {
         self.met_again = false;
         let border = canonical(root);
         let mut open = vec![(root.to_path_buf(), Origin::Searched)];
+        // Folders behind links come last: what can be reached without a link is.
+        let mut linked = Vec::new();
         let mut found: Vec<(Target, PathBuf)> = Vec::new();
-        while let Some((folder, origin)) = open.pop() {
+        while let Some((folder, origin)) = open.pop().or_else(|| linked.pop()) {
             let identity = canonical(&folder);
             if !self.folders.insert(identity.clone()) {
                 self.met_again = true;
@@ -139,7 +148,7 @@ impl Search {
                     continue;
                 }
                 if entry.is_folder() {
-                    open.push((entry.path, origin));
+                    if origin.is_linked() { &mut linked } else { &mut open }.push((entry.path, origin));
                 } else if entry.is_dangling() {
                     if named_so {
                         let problem = Some(BrokenLink::error());
@@ -156,7 +165,10 @@ impl Search {
         }
         let is_wanted = |(target, _): &(Target, PathBuf)| target.problem.is_some() || is_program(&target.path);
         let mut found: Vec<_> = found.into_par_iter().filter(is_wanted).collect();
-        found.par_sort_by(|(a, _), (b, _)| a.path.cmp(&b.path));
+        // Of a file and the links to it the file counts, whatever their names.
+        let by_path = |a: &Target, b: &Target| a.path.cmp(&b.path);
+        found.par_sort_by(|(a, _), (b, _)| a.origin.is_linked().cmp(&b.origin.is_linked()).then_with(|| by_path(a, b)));
+        let before = self.found.targets.len();
         for (target, identity) in found {
             if target.problem.is_some() {
                 self.found.targets.push(target);
@@ -164,6 +176,7 @@ impl Search {
                 self.add_once(target, identity);
             }
         }
+        self.found.targets.get_mut(before..).sure().sort_by(by_path);
         self.found.outward.sort_unstable();
         self.found.dangling.sort_unstable();
         self.found.special.sort_unstable();
@@ -303,5 +316,23 @@ mod tests {
         // One that is named is read wherever it leads.
         let (named, _) = targets(&[at("out.nc"), at("link.nc")]);
         assert_eq!(names(folder.path(), &named), ["out.nc", "link.nc"]);
+    }
+
+    /// Whichever name comes first.
+    #[cfg(unix)]
+    #[test]
+    fn a_file_is_not_found_through_a_link_to_it() {
+        use std::os::unix::fs::symlink;
+        let folder = tree(&["plate.nc", "parts/b.nc"]);
+        let at = |name: &str| folder.path().join(name);
+        for name in ["a.nc", "z.nc", "L9001"] {
+            symlink("plate.nc", at(name)).unwrap();
+        }
+        for name in ["a", "z"] {
+            symlink("parts", at(name)).unwrap();
+        }
+        let (found, _) = targets(&[folder.path().to_path_buf()]);
+        assert_eq!(names(folder.path(), &found), ["parts/b.nc", "plate.nc"]);
+        assert!(found.iter().all(|target| target.origin == Origin::Searched));
     }
 }

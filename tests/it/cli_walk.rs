@@ -78,6 +78,21 @@ fn links_are_not_fixed_unless_named() {
     assert_eq!(place.read("house/rc.nc"), FIXED);
 }
 
+/// A link beside its file does not keep the file from being fixed, formatted, renumbered.
+#[cfg(unix)]
+#[test]
+fn a_link_beside_its_file_is_passed_over() {
+    use std::os::unix::fs::symlink;
+    let place = Place::with(&[("plate.nc", FIXABLE)]);
+    symlink("plate.nc", place.path("a.nc")).unwrap();
+    place.run(&["check", "--fix", "."]).ends(0);
+    assert_eq!(place.read("plate.nc"), FIXED);
+    place.run(&["format", "."]).ends(0).says("changed: 1, unchanged: 0");
+    place.run(&["renumber", ".", "--start", "5"]).ends(0).says("changed: 1, unchanged: 0");
+    assert_eq!(place.read("plate.nc"), b"%1\r\nN5 G00 G90 X1.5\r\nN15 M30\r\n");
+    assert!(place.path("a.nc").is_symlink());
+}
+
 /// `--fix` lists what it does, `--diff` shows it and changes nothing.
 #[test]
 fn fixes_are_listed_and_shown() {
