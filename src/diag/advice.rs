@@ -45,6 +45,9 @@ bilingual! {
             "rapid motion is programmed by G00; a feed is a number: `F200`",
             "rychloposuv se programuje funkcí G00; posuv je číslo: „F200“";
         Equals { written: String } "write it without `=`: `{written}`", "napsat bez rovnítka: „{written}“";
+        EqualsOrMinus { written: String, minus: String }
+            "write it without `=`: `{written}`, or `{minus}` if a minus was meant",
+            "napsat bez rovnítka: „{written}“, nebo „{minus}“, mělo-li to být minus";
         EqualsForm
             "only an assignment to a parameter has `=`, and only one: `R10=5`; all other words are written without: \
             `X45`",

@@ -192,7 +192,7 @@ fn what_a_fix_would_guess() {
 /// Where a slip may have been one of several, each reading is offered, and none that its address does not take.
 #[test]
 fn several_readings() {
-    let cases: [(&str, &[&str]); 50] = [
+    let cases: [(&str, &[&str]); 55] = [
         ("F1 50X3", &["write `F150`"]),
         ("G0X41. 5Z2", &["write `Z52`", "write `X41.5`"]),
         ("T1 2M6", &["write `M26`", "write `T12`"]),
@@ -243,6 +243,11 @@ fn several_readings() {
         ("Y0 3", &["write `Z3`", "write `Y0.3`"]),
         ("S-500", &[]),
         ("G71 L10 3x", &["write `Q3`"]),
+        ("X=65", &["write `X65`", "write `X-65`"]),
+        ("Z=R12", &["write `ZR12`", "write `Z-R12`"]),
+        ("F=100", &["write `F100`"]),
+        ("X=-65", &["write `X-65`"]),
+        ("T=2", &["write `T2`"]),
     ];
     for (slip, wanted) in cases {
         let program = format!("%1\nN20 T1 M06 D1\nN30 G00 X0 Y0 Z5 F100 S500 M03\nN40 {slip}\nN90 M30\n");
@@ -250,6 +255,22 @@ fn several_readings() {
         let [item] = found.as_slice() else { panic!("{slip}: {found:?}") };
         let titles: Vec<String> = item.fixes.iter().map(|fix| fix.title.text(Lang::En)).collect();
         assert_eq!(titles, wanted, "{slip}: {}", item.code());
+    }
+    // A blank within a block number, or a function without its letter: the numbers of the blocks around tell.
+    for (above, slip, wanted) in [
+        ("N90 G1", "N1 00 X50", &["write `N100`"][..]),
+        ("N90 G1", "N1\t00 M5", &["write `N100`"]),
+        ("N90 G1", "N1 01 X50", &["write `N101`"]),
+        ("N90 G1", "N1 08 X50", &["write `N108`"]),
+        ("N90 G1", "N1 00", &["write `N100`"]),
+        ("N90 G1", "N100 00 X50", &["write `G00`"]),
+        ("\"start\"", "N1 00 X50", &["write `G00`", "write `N100`"]),
+        ("N90 T1", "N1 02 M6", &["write `N102`"]),
+    ] {
+        let found = check_text(&format!("%1\n{above} F100\n{slip}\nN110 M30\n"));
+        let item = found.iter().find(|item| item.code() == Code::E0102).unwrap_or_else(|| panic!("{slip}: {found:?}"));
+        let titles: Vec<String> = item.fixes.iter().map(|fix| fix.title.text(Lang::En)).collect();
+        assert_eq!(titles, wanted, "{slip}");
     }
     // No turning cycle is a call of the only subprogram.
     let found = check_text("%1\nN10 G71 U10 W2\nN20 M30\nN30 G79 L10\nN40 G0 X1\nN50 G70\n");

@@ -4,7 +4,7 @@ use super::{Around, Diagnosis, numbers, parameters, value, write};
 use crate::diag::{
     AddressMeant, Certain, Edit, Finding, FixTitle, MINUS, Meant, NumberMeant, TargetMeant, ValueMeant, is_blank, shown,
 };
-use crate::dict::{Address, GCode, HIGHEST_L};
+use crate::dict::{Address, Dialect, GCode, HIGHEST_L};
 use crate::sure::{Sure, small};
 use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, Shape, Token};
@@ -149,11 +149,21 @@ pub(super) fn assigned(around: &Around<'_>) -> Option<Diagnosis> {
     let diagnosis = match word {
         Some(word) => {
             let written = format!("{address}{upper}");
-            let shown = shown(&written);
-            let plain = digits.is_empty();
-            let meant =
-                if plain { NumberMeant::Equals { written: shown } } else { NumberMeant::OneSpindle { written: shown } };
+            let one = shown(&written);
+            // The key of `=` is beside that of `-`.
+            let signed = address.is_dimensional() && address.takes_sign(Dialect::Cnc872);
+            let minus = (signed && digits.is_empty() && !upper.starts_with('-'))
+                .then(|| format!("{address}-{}", upper.trim_start_matches('+')));
+            let word = if minus.is_some() { Word::bare(address, span) } else { word };
+            let meant = match &minus {
+                _ if !digits.is_empty() => NumberMeant::OneSpindle { written: one },
+                Some(minus) => NumberMeant::EqualsOrMinus { written: one, minus: shown(minus) },
+                None => NumberMeant::Equals { written: one },
+            };
             let found = around.malformed(span, meant).with_offer(write(&written), around.place(span), written);
+            let found = minus.into_iter().fold(found, |found, minus| {
+                found.with_offer(write(&minus), around.place(span), minus)
+            });
             Diagnosis::saying(next.taken, found).with(word, span)
         }
         None => {

@@ -10,7 +10,7 @@ use crate::syntax::tokens::{Kind, Token};
 use crate::syntax::{Word, grammar};
 use crate::text::Span;
 
-/// So many bytes before a block, and from it on, show which axes the program uses.
+/// So many bytes before a block, and from it on, show which axes and block numbers the program uses.
 const NEAR: usize = 1 << 12;
 
 /// A word in two pieces.
@@ -61,8 +61,27 @@ impl<'t> Split<'t> {
     fn may_join(&self, around: &Around<'_>, missing: Address) -> bool {
         let arc = || around.functions().any(|code| matches!(code, GCode::G02 | GCode::G03));
         let flow = || missing == Address::G && around.has(Address::L);
-        let number = || self.text.starts_with('0') || missing == Address::T;
+        let digits = || self.text.starts_with('0') || missing == Address::T;
+        let number = || digits() && !self.rises(around, &format!("{}{}", self.number, self.text));
         !(missing.axis().is_some() && arc() || flow() || self.address == Address::N && number())
+    }
+
+    /// Whether a number of the block is between those of the blocks around it.
+    fn rises(&self, around: &Around<'_>, number: &str) -> bool {
+        let (text, at) = (around.text, self.word.start as usize);
+        let from = text.floor_char_boundary(at.saturating_sub(NEAR));
+        let to = text.ceil_char_boundary(text.len().min(at + NEAR));
+        let before = text.get(from..at).sure().rsplit(['\r', '\n']).find_map(numbers::number_of_line);
+        let behind = text.get(at..to).sure().split(['\r', '\n']).skip(1).find_map(numbers::number_of_line);
+        let number = number.parse().unwrap_or(0);
+        before.unwrap_or(0) < number && behind.is_none_or(|behind| number < behind)
+    }
+
+    /// Whether the second piece is the rest of the block number: alone, the first would not rise.
+    fn is_number(&self, around: &Around<'_>) -> bool {
+        self.address == Address::N
+            && !self.rises(around, self.number)
+            && self.rises(around, &format!("{}{}", self.number, self.text))
     }
 
     /// The finding that the second piece is part of `loose`, which was meant as `written`, or goes on with the first.
@@ -178,13 +197,16 @@ pub(super) fn address(around: &Around<'_>) -> Option<Diagnosis> {
         number.is_none_or(|number| around.may_mean(*address, split.loose.start, number) && !ends(*address, number))
     };
     let missing = missing(around, &split).filter(takes);
+    // `N1 00 X5` between N90 and N110.
+    let whole = missing.is_none_or(|missing| split.may_join(around, missing)) && split.is_number(around);
+    let missing = missing.filter(|_| !whole);
     let dimensional = split.address.is_dimensional();
     let written = missing.map(|address| format!("{address}{}", split.text)).unwrap_or_default();
     let (loose, shown_written) = (shown(split.text), shown(&written));
     let base_found = base.found.clone()?;
     let joins = missing.is_none_or(|missing| split.may_join(around, missing));
     let finding = if let Finding::SplitNumber { joined, .. } = &base_found.finding
-        && (missing.is_some() || !dimensional)
+        && (missing.is_some() || !dimensional && !whole)
     {
         let joined = if joins { joined.clone() } else { String::new() };
         Finding::SplitNumber { joined, loose, written: shown_written }

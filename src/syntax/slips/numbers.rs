@@ -435,6 +435,12 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
     Some(if text.contains('=') { diagnosis.void(Address::R, span) } else { diagnosis })
 }
 
+/// The number of the block that a line begins with.
+pub(super) fn number_of_line(line: &str) -> Option<u32> {
+    let number = line.trim_start_matches([' ', '\t']).strip_prefix(['N', 'n'])?;
+    number.split(|end: char| !end.is_ascii_digit()).next()?.parse().ok()
+}
+
 /// `110 G02 X70`, `(10 G02`: the letter of a block number is missing, or is another sign.
 pub(super) fn without_n(around: &Around<'_>) -> Option<Diagnosis> {
     // The finding of that `N` says it.
@@ -447,11 +453,7 @@ pub(super) fn without_n(around: &Around<'_>) -> Option<Diagnosis> {
     let written = format!("N{digits}");
     // `N40 G0`, and `1 Z-2` below: a line break within the number. A block number would rise.
     let cut = around.cut_before(span.start);
-    let above = || {
-        let line = around.text.get(..cut as usize)?.rsplit(['\r', '\n']).next()?;
-        let number = line.trim_start_matches([' ', '\t']).strip_prefix(['N', 'n'])?;
-        number.split(|end: char| !end.is_ascii_digit()).next()?.parse::<u32>().ok()
-    };
+    let above = || number_of_line(around.text.get(..cut as usize)?.rsplit(['\r', '\n']).next()?);
     if cut != span.start && above().is_some_and(|above| digits.parse().is_ok_and(|own: u32| own <= above)) {
         let found = around.malformed(span, NumberMeant::NoAddress);
         return Some(Diagnosis::saying(1, found).void(Address::N, span));
