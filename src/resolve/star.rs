@@ -181,7 +181,8 @@ fn star_meant(parsed: &ParsedFile) -> Meant {
     let before = text.get(..(parsed.end as usize).saturating_sub(1)).sure();
     let behind = text.get(parsed.end as usize..).sure();
     let factor = |byte: Option<&u8>| byte.is_some_and(|byte| byte.is_ascii_digit() || b"Rr])".contains(byte));
-    if before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']) {
+    let before = before.trim_end_matches([' ', '\t']);
+    if before.ends_with(['\n', '\r']) {
         match behind.strip_prefix(['N', 'n']) {
             Some(number) if begins_block_number(number) => Meant::Block,
             None if begins_block_number(behind) => Meant::Number { own: false },

@@ -60,8 +60,8 @@ pub(super) fn text_after_end(file: FileId, text: &str, after: u32, end: u32) -> 
     let program = starts(first.start) || rest.take(FAR).any(|token| starts(token.start));
     // `R50=R50*2`: nothing but the star is between two factors.
     let factor = |at: Option<&u8>| at.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'R' | b'[' | b']'));
-    let before = text.as_bytes().get((after as usize).saturating_sub(2));
-    let product = first.start == after && factor(before) && factor(text.as_bytes().get(first.start as usize));
+    let before = text.get(..(after as usize).saturating_sub(1)).sure().trim_end_matches([' ', '\t']);
+    let product = first.start == after && factor(before.as_bytes().last()) && factor(text.as_bytes().get(first.start as usize));
     // `*** KONTURA ***`
     let line = text.get(first.start as usize..end as usize).sure();
     let line = line.split(['\n', '\r']).next().sure().trim_end_matches([' ', '\t']);

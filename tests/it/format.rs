@@ -6,14 +6,15 @@ use std::sync::Arc;
 
 use cnc872c::config::{Codes, Level, Numbers, Settings};
 use cnc872c::diag::Code;
-use cnc872c::dict::Dialect;
-use cnc872c::text::Encoding;
+use cnc872c::dict::{Dialect, Lang};
+use cnc872c::session::Session;
+use cnc872c::text::{Encoding, MemoryLoader};
 use proptest::prelude::*;
 
 use crate::disk::files;
 use crate::model::program;
 use crate::properties::{cases, executed, soup};
-use crate::same_program::stays_the_same;
+use crate::same_program::{formatted, stays_the_same};
 use crate::samples::root;
 
 /// The settings under which nothing is allowed, so that every finding shows.
@@ -62,6 +63,23 @@ fn one_long_line_stays() {
 fn characters_before_the_star_stay() {
     let program = format!("%1\nN7 G0 X0 Y0\nN20 G1X1Y1\"{}\"G26%*X+5\tg1\n", "x".repeat(53));
     assert_eq!(stays_the_same("p.nc", program.as_bytes(), &settings(Dialect::Cnc872)), Ok(()));
+}
+
+/// FMT-7: the blank before `*` does not change what a help advises.
+#[test]
+fn helps_about_a_star_stay() {
+    let settings = settings(Dialect::Cnc872);
+    let helps = |text: &[u8]| {
+        let loader = MemoryLoader::new().with("p.nc", text.to_vec());
+        let outcome = Session { loader: &loader, settings: &settings, progress: None }.check(Path::new("p.nc"), "p.nc");
+        outcome.findings.items().iter().map(|item| item.finding.help(Lang::En)).collect::<Vec<_>>()
+    };
+    for star in ["N20 Z5*2\nN30 M30\n", "N20 R50=R50*2\nN30 M30\n", "N20 M30*5\n"] {
+        let before = format!("%1\nN10 G00 G90 X0\n{star}");
+        let after = formatted("p.nc", before.as_bytes(), &settings).unwrap();
+        assert!(after.contains(&b'*'), "{star}");
+        assert_eq!(helps(before.as_bytes()), helps(&after), "{star}");
+    }
 }
 
 /// A change of a text at a place: something that slips of the keyboard and other editors leave.
