@@ -205,8 +205,8 @@ impl<'t> Reader<'t> {
     fn role(&self, bytes: &[u8], (batch, cuts): (&[Token], &[usize]), token: Token, has_l: bool) -> Role {
         let header = self.first && self.before_blocks(cuts);
         if (self.program_seen || self.form == Form::Macrocycle)
-            && (!header || self.below_program(bytes, batch, token))
             && let Some(shape) = slips::lost_number(bytes, batch, token)
+            && (!header || self.below_program(bytes, batch, token))
         {
             return Role::Block(Some(shape));
         }

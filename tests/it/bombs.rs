@@ -192,6 +192,20 @@ fn a_line_of_quotes() {
 }
 
 /// A million words in one block: as many findings as are shown, and the number of all.
+/// `format`: the comments of one block, or of the line of the program's start.
+#[test]
+fn a_line_of_comments() {
+    let comments = "\"abc\" ".repeat(300_000);
+    for program in [
+        format!("%1\nN1 G0\nN2 X1 {comments}\nN3 M30\n"),
+        format!("%1 {comments}\nN1 G0\nN3 M30\n"),
+        format!("%1\nN1 G0\n{comments}\nN3 M30 {comments}*\n"),
+    ] {
+        let place = Place::with(&[("p.nc", program.as_bytes())]);
+        bounded(&place, &["format", "--check", "p.nc"]).ends(1);
+    }
+}
+
 #[test]
 fn a_million_words_in_a_block() {
     let words = [

@@ -86,6 +86,7 @@ impl Part {
     /// Breaks lines that are longer than 80 characters.
     pub(super) fn wrap(&mut self, file: &ParsedFile, block: BlockId, style: Style) {
         let mut width = 0;
+        let first = first_comment(file, block);
         for at in 0..self.pieces.len() {
             let Some(&piece) = self.pieces.get(at) else { break };
             let own = self.width(file, piece, style);
@@ -93,7 +94,7 @@ impl Part {
                 _ if at == 0 => own,
                 _ if piece.begins => self.indent(at, style) + own,
                 fits @ ..=LINE => fits,
-                _ if piece.comment && self.may_move(file, block, piece) => {
+                _ if piece.comment && first == Some(piece.span.start) => {
                     self.change(at, |piece| piece.moved = true);
                     width
                 }
@@ -139,12 +140,6 @@ impl Part {
         helps.then_some(length)
     }
 
-    /// Whether a comment may go before its block and stays the same comment of the same block (BLK-9).
-    fn may_move(&self, file: &ParsedFile, block: BlockId, piece: Piece) -> bool {
-        let first_of_program = block == BlockId(0) && file.form == Form::Program;
-        !first_of_program && file.comments(block).first().is_some_and(|first| first.start == piece.span.start)
-    }
-
     fn change(&mut self, at: usize, change: impl FnOnce(&mut Piece)) {
         if let Some(piece) = self.pieces.get_mut(at) {
             change(piece);
@@ -163,6 +158,12 @@ impl Part {
         }
         self.scratch.len()
     }
+}
+
+/// Where the comment begins that may go before its block and stays the same comment of the same block (BLK-9).
+fn first_comment(file: &ParsedFile, block: BlockId) -> Option<u32> {
+    let first_of_program = block == BlockId(0) && file.form == Form::Program;
+    file.comments(block).first().map(|first| first.start).filter(|_| !first_of_program)
 }
 
 /// A comment without the blanks at its end, where it is open: those at the end of its line.

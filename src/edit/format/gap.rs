@@ -340,6 +340,8 @@ impl<'a> Layout<'a> {
 struct Rows {
     end: u32,
     length: usize,
+    /// The line in the text of what came last, and whether it is long there: it may hold very many comments.
+    before: Option<(usize, bool)>,
 }
 
 impl Rows {
@@ -351,8 +353,11 @@ impl Rows {
         self.length = if same { self.length + 1 + own } else { own };
         self.end = span.end;
         let line = file.source.lines().line_at(span.start);
-        if self.length > LINE && !is_long(file, line) {
-            grown.push(line);
+        if self.length > LINE {
+            let known = self.before.filter(|(before, _)| *before == line).map(|(_, is_long)| is_long);
+            let is_long = known.unwrap_or_else(|| is_long(file, line));
+            self.before = Some((line, is_long));
+            grown.extend((!is_long).then_some(line));
         }
     }
 }
