@@ -43,6 +43,7 @@ pub(super) fn run(args: &CheckArgs, locale: Locale) -> Result<Status, Failure> {
     if !unusable {
         if args.fix {
             unusable = fix_all(&targets, &projects, &loader, locale.lang);
+            report.set_fixed();
         }
         unusable |= check_all(&targets, &projects, &loader, locale, &mut report);
     }

@@ -29,6 +29,7 @@ pub struct Report {
     not_executed: Vec<NotExecuted>,
     stayed_unknown: Vec<StayedUnknown>,
     unusable: bool,
+    fixed: bool,
 }
 
 /// Where positions are not known any more, because a call cannot be followed.
@@ -249,6 +250,16 @@ impl Report {
     /// Notes that the run could not do what it was asked for: a file cannot be read, or the configuration is wrong.
     pub const fn set_unusable(&mut self) {
         self.unusable = true;
+    }
+
+    /// Notes that the run fixed what it may fix: nobody is advised to do it again.
+    pub const fn set_fixed(&mut self) {
+        self.fixed = true;
+    }
+
+    /// Whether the run fixed what it may fix.
+    pub const fn is_fixed(&self) -> bool {
+        self.fixed
     }
 
     /// Whether the run could not do what it was asked for.

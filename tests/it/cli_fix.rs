@@ -178,6 +178,7 @@ fn permissions_and_links_are_kept_and_a_read_only_file_stays() {
     assert_eq!(place.read("real/a.nc"), DOS_FIXED);
     let run = place.run(&["check", "--fix", "locked.nc"]).ends(2);
     assert!(run.stderr.contains("cannot write locked.nc: permission denied"), "{run:?}");
+    assert!(!run.stdout.contains("--fix"), "{run:?}");
     assert_eq!(place.read("locked.nc"), DOS);
 }
 

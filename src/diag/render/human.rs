@@ -164,7 +164,7 @@ impl Human<'_> {
             item.diagnostic.certain_fix().is_some() && named.contains(self.places.name(item.diagnostic.at.file))
         };
         let fixable = report.items().filter(|item| is_fixable(item)).count();
-        if fixable > 0 && report.programs() > 0 {
+        if fixable > 0 && report.programs() > 0 && !report.is_fixed() {
             writeln!(out, "{}", Words::Fixable { count: fixable }.text(self.lang))?;
         }
         if !by_code.is_empty() {
