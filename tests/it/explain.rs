@@ -44,6 +44,17 @@ fn request(example: &Example<'_>) -> Request {
     request
 }
 
+/// Pages are shown as they are written: their lines are short.
+#[test]
+fn lines_of_pages() {
+    for code in Code::ALL {
+        for (lang, folder, _) in LANGS {
+            let long = code.page(lang).lines().find(|line| line.chars().count() > 120);
+            assert_eq!(long, None, "{folder}/{code}");
+        }
+    }
+}
+
 /// Runs the examples of one page; gives what differs.
 fn differences(page: &str) -> Vec<String> {
     let mut files: BTreeMap<&str, String> = BTreeMap::new();
