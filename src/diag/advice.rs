@@ -282,8 +282,8 @@ bilingual! {
             "there is no such statement; a jump to block N{l} is `G73 L{l}`",
             "takový příkaz zde není; skok na blok N{l} se píše „G73 L{l}“";
         Cycle
-            "there is no such statement; fixed cycles are G81 to G89, each written in its block",
-            "takový příkaz zde není; pevné cykly jsou G81 až G89 a píšou se do každého bloku";
+            "there is no such statement; fixed cycles are G81 to G89, in force until G80 or another of their group",
+            "takový příkaz zde není; pevné cykly jsou G81 až G89 a platí až do G80 nebo jiné funkce své skupiny";
         Frame
             "there is no such statement; origins are chosen by G54 to G59",
             "takový příkaz zde není; počátky se volí funkcemi G54 až G59";

@@ -69,10 +69,18 @@ impl ValueMeant {
                 "{cycle} má jen polohu díry; výšky, hloubky a kroky vrtání se zadávají do parametrů, které čte jeho \
                 makrocyklus: „R10=2“. Makrocyklus se uvede v projektovém souboru: [cycles], {cycle} = …"
             ),
-            (Self::Line { function }, Lang::En) => {
-                format!("a straight line is programmed by `{function}`, without `L`")
+            (Self::Line { function: GCode::G00 }, Lang::En) => {
+                "a straight line in rapid is programmed by `G00`, without `L`; at a feed by `G01`".to_owned()
             }
-            (Self::Line { function }, Lang::Cs) => format!("přímkový pohyb programuje „{function}“, bez L"),
+            (Self::Line { function: GCode::G00 }, Lang::Cs) => {
+                "přímkový pohyb rychloposuvem programuje „G00“, bez L; pracovním posuvem „G01“".to_owned()
+            }
+            (Self::Line { function }, Lang::En) => {
+                format!("a straight line is programmed by `{function}`, without `L`; in rapid by `G00`")
+            }
+            (Self::Line { function }, Lang::Cs) => {
+                format!("přímkový pohyb programuje „{function}“, bez L; rychloposuvem „G00“")
+            }
             (Self::Beyond | Self::Parameter, _) => value_wanted(address, lang),
             (Self::Number, _) if address.len() > 1 || address == "%" => value_wanted(address, lang),
             (Self::Number, Lang::En) => {

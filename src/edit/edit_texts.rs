@@ -23,6 +23,9 @@ bilingual! {
             "where N{block} in line {line} jumps depends on a parameter: {word}",
             "kam skáče N{block} na řádku {line}, závisí na parametru: {word}";
         NoSuchBlock { number: u32 } "there is no block N{number} in that place", "blok N{number} tam není";
+        PartBackwards { from: u32, to: u32 }
+            "N{to} (--to) stands before N{from} (--from)",
+            "blok N{to} (--to) je před blokem N{from} (--from)";
         NoSuchUnit { l: u32 } "there is no subprogram L{l} in the file", "podprogram L{l} v souboru není";
         NumberTaken { number: u32 }
             "the new number N{number} belongs to a block outside the part: name a free one by --start",

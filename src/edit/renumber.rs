@@ -160,7 +160,10 @@ fn blocks_of(resolved: &Resolved, file: &ParsedFile, part: Part) -> Result<Range
         Part::Blocks(from, to) => {
             let first = from.map_or(Ok(BlockId(0)), |number| numbered(number, 0))?;
             let last = match to {
-                Some(number) => numbered(number, first.0)?.next(),
+                Some(to) => match (numbered(to, first.0), from.filter(|_| numbered(to, 0).is_ok())) {
+                    (Err(_), Some(from)) => return Err(EditText::PartBackwards { from, to }),
+                    (last, _) => last?.next(),
+                },
                 None => BlockId(file.block_count()),
             };
             Ok(first.0..last.0)

@@ -121,7 +121,7 @@ const CYCLE: &[Bilingual] = &[
     ),
     note(
         "A block cannot both call by the cycle and hold G71, G72 or G73",
-        "V bloku, který volá cyklem, nesmí být G71, G72 ani G73",
+        "V bloku, který volá cyklus, nesmí být G71, G72 ani G73",
     ),
 ];
 

@@ -61,7 +61,8 @@ pub(super) fn text_after_end(file: FileId, text: &str, after: u32, end: u32) -> 
     // `R50=R50*2`: nothing but the star is between two factors.
     let factor = |at: Option<&u8>| at.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'R' | b'[' | b']'));
     let before = text.get(..(after as usize).saturating_sub(1)).sure().trim_end_matches([' ', '\t']);
-    let product = first.start == after && factor(before.as_bytes().last()) && factor(text.as_bytes().get(first.start as usize));
+    let product =
+        first.start == after && factor(before.as_bytes().last()) && factor(text.as_bytes().get(first.start as usize));
     // `*** KONTURA ***`
     let line = text.get(first.start as usize..end as usize).sure();
     let line = line.split(['\n', '\r']).next().sure().trim_end_matches([' ', '\t']);

@@ -77,12 +77,16 @@ macro_rules! words {
         [E0307] ConflictingG "conflicting-g-functions" Error {
             first: GCode, second: GCode, group: GGroup, unnumbered: bool,
         }
-            en (if first.group() == second.group() {
+            en (if first == second {
+                format!("{first} is written twice in this block")
+            } else if first.group() == second.group() {
                 format!("{first} and {second} are both of group {group}")
             } else {
                 format!("{first} calls a macrocycle by the cycle map, and so the block cannot hold {second} as well")
             })
-            cs (if first.group() == second.group() {
+            cs (if first == second {
+                format!("{first} je v bloku dvakrát")
+            } else if first.group() == second.group() {
                 format!("{first} a {second} jsou obě ze skupiny {group}")
             } else {
                 format!("{first} volá makrocyklus podle mapy cyklů, {second} proto v bloku být nemůže")

@@ -161,9 +161,9 @@ pub(super) fn assigned(around: &Around<'_>) -> Option<Diagnosis> {
                 None => NumberMeant::Equals { written: one },
             };
             let found = around.malformed(span, meant).with_offer(write(&written), around.place(span), written);
-            let found = minus.into_iter().fold(found, |found, minus| {
-                found.with_offer(write(&minus), around.place(span), minus)
-            });
+            let found = minus
+                .into_iter()
+                .fold(found, |found, minus| found.with_offer(write(&minus), around.place(span), minus));
             Diagnosis::saying(next.taken, found).with(word, span)
         }
         None => {

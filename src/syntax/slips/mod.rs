@@ -45,7 +45,7 @@ const AROUND_WORDS: [Row; 7] = [
 ];
 
 /// The same for whatever is not a well-formed word. Recognisers that look farther around come first.
-const TABLE: [Row; 43] = [
+const TABLE: [Row; 44] = [
     (comments::quoted, "\"text\""),
     (comments::typographic, "„text“"),
     (comments::foreign, "(text)"),
@@ -60,6 +60,7 @@ const TABLE: [Row; 43] = [
     (numbers::doubled_letter, "TT1"),
     (numbers::word, "X1,5"),
     (elsewhere::bracketed, "Z(R11)"),
+    (parameters::chained, "R1 = R2 = 5"),
     (parameters::without_value, "R10= R11=80"),
     (parameters::split_number, "R1 0=5"),
     (parameters::sign_before_equals, "R10-=12"),

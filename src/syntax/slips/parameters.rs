@@ -31,6 +31,19 @@ pub(super) fn number(around: &Around<'_>, token: Token) -> (Option<u8>, Option<D
     (number, letters)
 }
 
+/// `R1 = R2 = 5`: one `=` too many. With a blank behind the first alone the value of R1 is missing.
+pub(super) fn chained(around: &Around<'_>) -> Option<Diagnosis> {
+    let mut next = around.cursor();
+    let first = next.parameter()?;
+    let equals = next.one(Kind::Equals)?;
+    let second = next.parameter().filter(|second| (equals.start > first.end) == (second.start > equals.end))?;
+    let last = next.assigned_value()?;
+    let found = around.malformed(first.span().to(last.span()), NumberMeant::EqualsForm);
+    let [(one, _), (other, _)] = [first, second].map(|parameter| number(around, parameter));
+    let diagnosis = Diagnosis::saying(next.taken, found).unknown_target(one, first.span());
+    Some(diagnosis.unknown_target(other, second.span()).debris())
+}
+
 /// `R10= R11=80`: the value that R10 should get is missing.
 pub(super) fn without_value(around: &Around<'_>) -> Option<Diagnosis> {
     let mut next = around.cursor();
