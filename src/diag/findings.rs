@@ -182,8 +182,8 @@ impl Findings {
         new.take(most).for_each(|diagnostic| diagnostic.fixes = make(diagnostic));
     }
 
-    /// Leaves out the second reading of a letter in a number (E0107) in the findings that `rules_it_out` names, of those
-    /// that [`Self::offer`] has not asked about yet.
+    /// Leaves out the second reading of a letter in a number (E0107) where `rules_it_out` says so, in the findings that
+    /// [`Self::offer`] has not asked about yet.
     pub fn leave_out_shorter(&mut self, mut rules_it_out: impl FnMut(Location, &str, &str) -> bool) {
         for diagnostic in self.items.iter_mut().skip(self.asked) {
             if let Finding::LetterForDigit { fixed, without, .. } = &mut diagnostic.finding

@@ -51,8 +51,8 @@ impl Offers<'_> {
         self.flow(file, found).or_else(|| self.structure(file, found)).or_else(|| of_word(file, at, &found.finding))
     }
 
-    /// Whether of two readings of a block number, or of the number of a call or jump, the program allows the first only:
-    /// no other block has it; there is such a target.
+    /// Whether of two readings of a block number, or of the number of a call or jump, the program allows the first
+    /// only: no other block has it; there is such a target.
     fn only(&mut self, at: Location, first: &str, second: &str) -> Option<bool> {
         let file = self.resolved.file(at.file)?;
         let (letter, first) = first.split_at_checked(1)?;
