@@ -160,3 +160,20 @@ fn centers_of_arcs() {
         assert_advice(Code::E0603, &case);
     }
 }
+
+/// Fixed cycles are modal; a straight line of Heidenhain is G01, in rapid G00; a second `=` is one too many.
+#[test]
+fn statements_and_lines_of_other_controls() {
+    let cycle = Case { blocks: "N20 MCALL CYCLE81(10,0,2)\n", en: &["until G80"], cs: &["do G80"], ..Case::default() };
+    assert_advice(Code::E0111, &cycle);
+    let line = Case { blocks: "N20 L X+10 Y5 FMAX\n", en: &["G00", "G01"], cs: &["G00", "G01"], ..Case::default() };
+    assert_advice(Code::E0103, &line);
+    let chain = Case {
+        blocks: "N20 R1 = R2 = 5\n",
+        en: &["only one"],
+        cs: &["jediné"],
+        never: &["radius", "poloměr"],
+        ..Case::default()
+    };
+    assert_advice(Code::E0106, &chain);
+}
