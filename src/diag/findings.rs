@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use super::{Code, Diagnostic, Finding, Fix, FixTitle, Levels, Severity, Unmodelled};
+use super::{Code, Diagnostic, Finding, Fix, Levels, Severity, Unmodelled};
 use crate::text::{FileId, LineIndex, Location};
 
 /// How many findings of each code are kept for each file, unless [`Levels::keeping`] says otherwise; the rest is
@@ -180,19 +180,6 @@ impl Findings {
         let from = std::mem::replace(&mut self.asked, self.items.len());
         let new = self.items.iter_mut().skip(from).filter(|diagnostic| diagnostic.fixes.is_empty());
         new.take(most).for_each(|diagnostic| diagnostic.fixes = make(diagnostic));
-    }
-
-    /// Leaves out the second reading of a letter in a number (E0107) where `rules_it_out` says so, in the findings that
-    /// [`Self::offer`] has not asked about yet.
-    pub fn leave_out_shorter(&mut self, mut rules_it_out: impl FnMut(Location, &str, &str) -> bool) {
-        for diagnostic in self.items.iter_mut().skip(self.asked) {
-            if let Finding::LetterForDigit { fixed, without, .. } = &mut diagnostic.finding
-                && rules_it_out(diagnostic.at, fixed, without)
-            {
-                let title = FixTitle::Write { text: std::mem::take(without) };
-                diagnostic.fixes.retain(|fix| fix.title != title);
-            }
-        }
     }
 
     /// Whether a finding of that code is among them.

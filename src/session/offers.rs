@@ -10,7 +10,7 @@ use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::resolve::{Resolved, Roles, Taker, Target, Unit, UnitKind, number_as_function};
 use crate::sure::{Sure, small};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
-use crate::text::{FileId, Location, Span};
+use crate::text::{FileId, Span};
 
 /// The usual distance of block numbers.
 const STEP: u32 = 10;
@@ -21,7 +21,6 @@ const MOST: usize = 2_000;
 /// Adds what can be offered to those findings that have no fix.
 pub(super) fn add(findings: &mut Findings, resolved: &Resolved) {
     let mut offers = Offers { resolved, certain: !findings.prevent_execution(), numbers: BTreeMap::new() };
-    findings.leave_out_shorter(|at, fixed, without| offers.only(at, fixed, without).unwrap_or(false));
     findings.offer(MOST, |found| offers.of(found).unwrap_or_default());
 }
 
@@ -49,25 +48,6 @@ impl Offers<'_> {
         let file = self.resolved.file(found.at.file)?;
         let at = found.at.span;
         self.flow(file, found).or_else(|| self.structure(file, found)).or_else(|| of_word(file, at, &found.finding))
-    }
-
-    /// Whether of two readings of a block number, or of the number of a call or jump, the program allows the first
-    /// only: no other block has it; there is such a target.
-    fn only(&mut self, at: Location, first: &str, second: &str) -> Option<bool> {
-        let file = self.resolved.file(at.file)?;
-        let (letter, first) = first.split_at_checked(1)?;
-        let [first, second] = [first.parse().ok()?, second.get(1..)?.parse().ok()?];
-        if letter == "N" {
-            return Some(!self.is_taken(file, first) && self.is_taken(file, second));
-        }
-        let block = file.block_at(at.span.start).filter(|_| letter == "L")?;
-        let Taker::One(taker, _) = Roles::written(file.words(block)).taker else { return None };
-        let calls = |l| self.resolved.subprogram(l).is_some();
-        if taker == GCode::G71 {
-            Some(calls(first) && !calls(second))
-        } else {
-            (taker == GCode::G73).then(|| self.is_taken(file, first) && !self.is_taken(file, second))
-        }
     }
 
     /// Calls and jumps that lead nowhere, or are missing their target.
