@@ -139,7 +139,8 @@ impl Server {
         let is_macrocycle = Session::is_macrocycle_name(path);
         let everywhere = is_configuration(path) || (listed && is_macrocycle);
         for (root_path, root) in &mut self.roots {
-            let reads = || root.read.iter().any(|read| read == path) || is_macrocycle && root.is_reading();
+            // Which macrocycles parameters and cycles lead to is known when the run is over.
+            let reads = || root.read.iter().any(|read| read == path) || is_macrocycle && !root.is_judged();
             if root_path != path && (everywhere || reads()) {
                 root.touch();
                 self.refreshes = Refreshes { views: true, findings: true };

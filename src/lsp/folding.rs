@@ -6,7 +6,7 @@ use super::analysis::Analysis;
 use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::DOCUMENT;
 use crate::query::extents::{adjoin, content_end, loops, stands_alone, words_span};
-use crate::query::sections::{Section, SectionKind, sections};
+use crate::query::sections::{Section, SectionKind, sections, units_of};
 use crate::resolve::{Unit, UnitKind};
 use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile};
@@ -25,8 +25,7 @@ pub(super) fn folding_range(
     let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
     let lines = file.source.lines();
     let line = |offset: u32| small(lines.line_at(offset));
-    let units = analysis.resolved.units().filter(|(_, unit)| unit.file == DOCUMENT);
-    let units = units.map(|(_, unit)| (unit_words(file, unit), FoldingRangeKind::Region));
+    let units = units_of(analysis).map(|unit| (unit_words(file, unit), FoldingRangeKind::Region));
     let of_loop = |(first, jump)| Span::new(words_span(file, first).start, words_span(file, jump).end);
     let loops = loops(analysis).map(|blocks| (of_loop(blocks), FoldingRangeKind::Region));
     let comments = comment_runs(file).map(|run| (run, FoldingRangeKind::Comment));

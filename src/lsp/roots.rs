@@ -171,11 +171,6 @@ impl Root {
         !matches!(self.known, Known::Nothing | Known::Running)
     }
 
-    /// Whether a run over it is under way that has not said yet which files it reads.
-    pub(super) const fn is_reading(&self) -> bool {
-        matches!(self.known, Known::Running)
-    }
-
     /// Whether its findings are known, or cannot be.
     pub(super) const fn is_judged(&self) -> bool {
         matches!(self.known, Known::Judged(..) | Known::Failed(_))

@@ -67,8 +67,11 @@ pub(crate) fn units(analysis: &Analysis) -> impl Iterator<Item = Section> {
     file.into_iter().flat_map(|file| units_of(analysis).map(|unit| head(file, unit).0))
 }
 
-fn units_of(analysis: &Analysis) -> impl Iterator<Item = &Unit> {
-    analysis.resolved.units().map(|(_, unit)| unit).filter(|unit| unit.file == DOCUMENT).take(MOST)
+/// The units of the document; a macrocycle without a block is none yet.
+pub(crate) fn units_of(analysis: &Analysis) -> impl Iterator<Item = &Unit> {
+    let count = analysis.resolved.file(DOCUMENT).map_or(0, ParsedFile::block_count);
+    let is_there = move |unit: &&Unit| unit.kind == UnitKind::Main || unit.first.0 < count;
+    analysis.resolved.units().map(|(_, unit)| unit).filter(|unit| unit.file == DOCUMENT).filter(is_there).take(MOST)
 }
 
 /// What changes tools in a file.

@@ -59,6 +59,15 @@ fn one_long_line_stays() {
 }
 
 /// FMT-3, FMT-6: characters between the last word and `*` are no word, and so their line stays.
+/// One letter that is no address stands for all that it may have set.
+#[test]
+fn a_letter_that_is_no_address() {
+    for words in ["X1 E 5", "X1   E5", "M3 O 0", "X1 O  12 Y2"] {
+        let program = format!("%1\nN10 {words}\nN20 M30\n");
+        assert_eq!(stays_the_same("p.nc", program.as_bytes(), &settings(Dialect::Cnc872)), Ok(()), "{words}");
+    }
+}
+
 #[test]
 fn characters_before_the_star_stay() {
     let program = format!("%1\nN7 G0 X0 Y0\nN20 G1X1Y1\"{}\"G26%*X+5\tg1\n", "x".repeat(53));

@@ -20,6 +20,14 @@ pub(super) fn items(file: &ParsedFile) -> impl Iterator<Item = Span> + '_ {
     })
 }
 
+/// The places of the `N` and the words of a block. What could not be read may stand for several words at one place.
+pub(super) fn places(file: &ParsedFile, block: BlockId) -> impl Iterator<Item = Span> + '_ {
+    let words = file.n_word(block).into_iter().chain(file.words(block).iter().copied());
+    let mut before = None;
+    let spans = words.map(|word| word.span(file.source.text()));
+    spans.filter(move |span| before.replace(span.start) != Some(span.start))
+}
+
 /// A word or comment of a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
@@ -47,11 +55,9 @@ impl Part {
     /// Reads the part of another block.
     pub(super) fn read(&mut self, file: &ParsedFile, block: BlockId) {
         self.pieces.clear();
-        let text = file.source.text();
         let mut comments = file.comments_behind(block).iter().copied().peekable();
         let mut end = file.n_word(block).map_or(file.start, Word::start);
-        for word in file.n_word(block).iter().chain(file.words(block)) {
-            let span = word.span(text);
+        for span in places(file, block) {
             while let Some(comment) = comments.next_if(|comment| comment.start < span.start) {
                 self.push(file, &mut end, comment, true);
             }

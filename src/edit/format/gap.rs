@@ -1,7 +1,7 @@
 //! What stands between words and comments, and each of them as it is written: the edits of a file in the order of its
 //! text.
 
-use super::block::{BLANK, Part, extent, line_ends, without_trailing_blanks};
+use super::block::{BLANK, Part, extent, line_ends, places, without_trailing_blanks};
 use super::kept::{Kept, lines_of};
 use super::{LINE, Style, word};
 use crate::edit::output::Written;
@@ -129,9 +129,10 @@ impl<'a> Layout<'a> {
             && memchr::memchr2(b'\n', b'\r', file.source.slice(span).as_bytes()).is_none()
             && memchr::memchr(b'"', file.source.slice(Span::new(n.start(), next.start())).as_bytes()).is_none();
         if bare {
-            self.lay(n.span(text), Gap::Line { empty: self.empty_lines(block), indent: 0 }, false, None, write);
-            for word in words {
-                self.lay(word.span(text), Gap::Blank, false, None, write);
+            let mut gap = Gap::Line { empty: self.empty_lines(block), indent: 0 };
+            for span in places(file, block) {
+                self.lay(span, gap, false, None, write);
+                gap = Gap::Blank;
             }
         }
         bare

@@ -333,6 +333,33 @@ fn a_macrocycle_that_changes_while_its_program_is_read() {
     }
 }
 
+/// The same while a program is executed: which macrocycles parameters and cycles lead to is known at the end.
+#[test]
+fn a_macrocycle_that_changes_while_its_program_is_executed() {
+    let call = "%1\nN1 R3=1 F100 S100 M03 G00 X0 Y0 Z0\nN2 X1\nN3 G73 L2 Q9999\nN4 G73 L2 Q40\n";
+    let programs = [("N10 G72 LR3\n", ""), ("N10 R4=72\nN11 GR4 L1\n", ""), ("N10 G81 X5\n", "[cycles]\nG81 = 1\n")];
+    let macrocycle = |body: &str| format!("N10 G79 L1\n{body}N30 G70\n");
+    for (last, configuration) in programs {
+        let program = format!("{call}{last}N20 G80 M30\n");
+        let first = macrocycle("N20 R25=5\n");
+        let configuration = ("cnc872c.toml", configuration.as_bytes());
+        let files = [("L1", first.as_bytes()), ("a.nc", program.as_bytes()), configuration];
+        let mut folder = Folder::with(&files);
+        folder.open("L1", &first);
+        folder.open("a.nc", &program);
+        assert_eq!(folder.codes("L1"), [Value::Null; 0]);
+        let texts = [macrocycle("N20 R25=5 G73 L30 Q\n"), macrocycle("N20 R25=50000 G73 L30 QR25\nN25 QR26 G73 L30\n")];
+        for (version, text) in (2..).zip(texts) {
+            let document = json!({ "uri": folder.uri("L1"), "version": version });
+            let params = json!({ "textDocument": document, "contentChanges": [{ "text": text }] });
+            folder.client.notify("textDocument/didChange", params);
+            std::thread::sleep(std::time::Duration::from_millis(20));
+        }
+        folder.codes("a.nc");
+        assert_eq!(folder.codes("L1"), ["W0503", "W0504", "W0503"], "{last}");
+    }
+}
+
 /// Editors take a byte-order mark off: places in files that are not open count from behind it.
 #[test]
 fn a_byte_order_mark() {

@@ -28,6 +28,14 @@ enum Stroke {
 /// A finding: code, and place from 1.
 type Finding = (String, [u64; 4]);
 
+fn client() -> Client {
+    let capabilities = json!({
+        "general": { "positionEncodings": ["utf-32"] },
+        "textDocument": { "rename": { "prepareSupport": true } },
+    });
+    Client::initialized(json!({ "capabilities": capabilities })).0
+}
+
 #[test]
 fn every_sample() {
     let programs: Vec<PathBuf> = files(&root().join("samples"))
@@ -42,11 +50,7 @@ fn every_sample() {
     thread::scope(|scope| {
         for _ in 0..thread::available_parallelism().map_or(2, usize::from) {
             scope.spawn(|| {
-                let capabilities = json!({
-                    "general": { "positionEncodings": ["utf-32"] },
-                    "textDocument": { "rename": { "prepareSupport": true } },
-                });
-                let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
+                let mut client = client();
                 while let Some((at, path)) = { queue.lock().unwrap().pop() } {
                     let stroke = match at % 16 {
                         0 => Stroke::Letter,
@@ -130,6 +134,18 @@ fn strokes() {
     assert_eq!(keystrokes(text, Stroke::Word), rows);
     let rows = ["%1", "\"", "ab c", "\"", "N10  X5", "\n", "\"", "d", "\r", "\n", "X"];
     assert_eq!(keystrokes(text, Stroke::Line), rows);
+}
+
+/// As a new macrocycle begins.
+#[test]
+fn a_macrocycle_without_a_block() {
+    let mut client = client();
+    for (at, text) in ["", "%1\n", "*\nN10 G79 L1\nN20 X1\nN30 G70\n", "T5  G72 M06", "\"new"].iter().enumerate() {
+        let uri = format!("file:///{at}/L1");
+        let document = json!({ "uri": uri, "languageId": "cnc872", "version": 0, "text": text });
+        client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+        ask_everything(&mut client, &uri, &json!({ "line": 0, "character": 0 }));
+    }
 }
 
 fn change(client: &mut Client, uri: &str, version: i64, change: &Value) {
