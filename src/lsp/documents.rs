@@ -228,8 +228,11 @@ impl Server {
             Ok(None) => {}
             Ok(Some(found)) => {
                 let found = Arc::new(found);
-                root.read.clone_from(&found.read);
+                let before = std::mem::replace(&mut root.read, found.read.clone());
                 root.judged(Arc::clone(&found));
+                // Macrocycles that execution led to show it, too.
+                let is_new = |file: &PathBuf| !before.contains(file) && self.roots.contains_key(file);
+                self.refreshes.views |= found.read.iter().any(is_new);
                 self.show(run.path(), &found);
                 self.tell_misconfigured(run.path(), found.misconfigured);
                 self.serve_waiting(run.path());

@@ -16,7 +16,7 @@ use crate::dict::GCode;
 use crate::edit::line_length::first_long_line;
 use crate::query::names::{Name, Names, Naming, Usage};
 use crate::query::navigation_texts::NavigationText;
-use crate::resolve::{Library, Roles, Taker, l_number};
+use crate::resolve::{Library, MacrocycleFault, Roles, Taker, l_number};
 use crate::session::Session;
 use crate::syntax::{BlockId, Form, ParsedFile, Value as WordValue, parse};
 use crate::text::{FileId, Loader};
@@ -41,21 +41,12 @@ pub(super) fn naming(snapshot: &Snapshot, l: u32, target: &Path) -> Vec<Named> {
 /// The same of the files for which macrocycle `l` is the file at `target`, with the places that name `wanted`.
 fn naming_of(snapshot: &Snapshot, l: u32, wanted: u32, target: &Path) -> Vec<Named> {
     let mut settings: BTreeMap<PathBuf, Settings> = BTreeMap::new();
-    let mut seen: BTreeSet<PathBuf> = BTreeSet::new();
-    // As they are typed: an analysis may still be under way. What lies beside them may call it in no workspace, too.
-    let open = snapshot.files.open();
-    let folders: BTreeSet<&Path> = open.keys().map(PathBuf::as_path).chain([target]).filter_map(Path::parent).collect();
-    let beside = folders.into_iter().flat_map(|folder| snapshot.files.list(folder));
-    let beside: Vec<PathBuf> = beside.filter(|path| may_be_program(path)).collect();
-    let all = open.keys().cloned().chain(files(snapshot)).chain(beside).chain([target.to_path_buf()]);
-    let all: Vec<PathBuf> = all.collect();
     let mut found = Vec::new();
-    for path in all {
+    for path in candidates(snapshot, target) {
         if snapshot.cancel.is_cancelled() {
             break;
         }
-        let path = snapshot.files.canonical(&path);
-        if !seen.insert(path.clone()) || snapshot.files.size(&path).is_none_or(|size| size > LONGEST) {
+        if snapshot.files.size(&path).is_none_or(|size| size > LONGEST) {
             continue;
         }
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
@@ -64,6 +55,34 @@ fn naming_of(snapshot: &Snapshot, l: u32, wanted: u32, target: &Path) -> Vec<Nam
         found.extend(named(snapshot, &path, settings, [l, wanted], target));
     }
     found
+}
+
+/// The files that may call the macrocycle at `target`, each once.
+fn candidates(snapshot: &Snapshot, target: &Path) -> Vec<PathBuf> {
+    // As they are typed: an analysis may still be under way. What lies beside them may call it in no workspace, too.
+    let open = snapshot.files.open();
+    let folders: BTreeSet<&Path> = open.keys().map(PathBuf::as_path).chain([target]).filter_map(Path::parent).collect();
+    let beside = folders.into_iter().flat_map(|folder| snapshot.files.list(folder));
+    let beside: Vec<PathBuf> = beside.filter(|path| may_be_program(path)).collect();
+    let all = open.keys().cloned().chain(files(snapshot)).chain(beside).chain([target.to_path_buf()]);
+    let mut seen: BTreeSet<PathBuf> = BTreeSet::new();
+    let canonical = all.map(|path| snapshot.files.canonical(&path));
+    canonical.filter(|path| seen.insert(path.clone())).collect()
+}
+
+/// Whether programs for which macrocycle `l` is the file at `target` find a file that is `new`, in whatever folder.
+fn is_taken(snapshot: &Snapshot, [l, new]: [u32; 2], target: &Path) -> bool {
+    let mut folders: BTreeSet<PathBuf> = BTreeSet::new();
+    candidates(snapshot, target).into_iter().any(|path| {
+        if snapshot.cancel.is_cancelled() || !folders.insert(path.parent().unwrap_or(Path::new("")).to_path_buf()) {
+            return false;
+        }
+        let settings = configuration(&path, &snapshot.files, &snapshot.client).0;
+        let session = Session { loader: &snapshot.files, settings: &settings, progress: None };
+        let mut library = session.library(&path);
+        library.find(l).is_ok_and(|found| snapshot.files.canonical(&found) == target)
+            && !matches!(library.find(new), Err(MacrocycleFault::Missing { .. }))
+    })
 }
 
 fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, number]: [u32; 2], target: &Path) -> Option<Named> {
@@ -185,8 +204,8 @@ fn against(snapshot: &Snapshot, l: u32, new: u32, target: &Path, renamed: &[u32]
         return None;
     }
     let folder = target.parent().unwrap_or(Path::new(""));
-    let taken = snapshot.files.list(folder).iter().any(|path| Library::number(path) == Some(new));
-    if taken || machine.macrocycles.contains_key(&new) {
+    let beside = snapshot.files.list(folder).iter().any(|path| Library::number(path) == Some(new));
+    if beside || is_taken(snapshot, [l, new], target) || machine.macrocycles.contains_key(&new) {
         return Some(NavigationText::MacrocycleExists { l: new });
     }
     // The file itself may name that number too.

@@ -15,8 +15,8 @@ bilingual! {
             "jumps lead to block N{n}, and G73 reaches block numbers up to 9999 only",
             "na blok N{n} vedou skoky a G73 dosáhne jen na čísla bloků do 9999";
         SubprogramNumber
-            "the number of a subprogram is a whole number from 1 to 9999",
-            "číslo podprogramu je celé číslo od 1 do 9999";
+            "the number of a subprogram or macrocycle is a whole number from 1 to 9999",
+            "číslo podprogramu i makrocyklu je celé číslo od 1 do 9999";
         ParameterNumber
             "the number of a parameter is a whole number from 0 to 95",
             "číslo parametru je celé číslo od 0 do 95";
@@ -37,8 +37,8 @@ bilingual! {
             "block N{n} takes the number of a block from R{r}: it may jump here",
             "blok N{n} bere číslo bloku z R{r}: může skákat sem";
         CallByParameter { n: u32, r: u8 }
-            "block N{n} takes the number of a subprogram from R{r}: it may call this one",
-            "blok N{n} bere číslo podprogramu z R{r}: může volat tento";
+            "block N{n} takes the number of its call from R{r}: it may call this one",
+            "blok N{n} bere číslo volaného celku z R{r}: může volat tento";
         Unread { n: u32 }
             "the number behind L in block N{n} cannot be read: it may be this one",
             "číslo za L v bloku N{n} nelze přečíst: může to být toto";

@@ -105,7 +105,8 @@ pub fn subprogram(
         None if second_program(resolved, from.file, |file, block| is_entry(file, block, l)) => return Known::Unknown,
         Some(_) | None => {}
     }
-    let macrocycle = library.find(l).is_ok() || library.is_of_machine(l);
+    // A macrocycle that calls itself would be a ring.
+    let macrocycle = from.kind != UnitKind::Macrocycle(l) && (library.find(l).is_ok() || library.is_of_machine(l));
     let program = FileId(0);
     let star = resolved.star(program).filter(|_| !from_macrocycle && !macrocycle);
     let hidden = star.zip(resolved.file(program)).and_then(|(star, file)| Some((star.at, star.entry(file, l)?)));

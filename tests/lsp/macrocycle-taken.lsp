@@ -5,7 +5,7 @@
   "capabilities": { "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["create", "rename", "delete"] } }, "textDocument": { "rename": { "prepareSupport": true } } }
 }
 === file cnc872c.toml
-macrocycles = ["macros"]
+macrocycles = ["macros", "more"]
 [machine-macrocycles]
 L9005 = { axes = ["Z"] }
 [cycles]
@@ -18,6 +18,9 @@ N10 G79 L9002
 N20 G70
 === file macros/L9003
 N10 G79 L9003
+N20 G70
+=== file more/l9004
+N10 G79 L9004
 N20 G70
 === file closed.nc
 %2
@@ -36,6 +39,13 @@ N30 M30
 {
   "code": -32803,
   "message": "macrocycle L9005 exists already"
+}
+=== request textDocument/rename part.nc@1
+{ "newName": "9004" }
+=== answer
+{
+  "code": -32803,
+  "message": "macrocycle L9004 exists already"
 }
 === request textDocument/rename part.nc@1
 { "newName": "9007" }

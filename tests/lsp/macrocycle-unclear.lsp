@@ -95,5 +95,5 @@ N30 M30
 === answer
 {
   "code": -32803,
-  "message": "block N20 takes the number of a subprogram from R2: it may call this one"
+  "message": "block N20 takes the number of its call from R2: it may call this one"
 }
