@@ -112,7 +112,7 @@ fn edits(snapshot: &Snapshot, analysis: &Analysis, params: &RenameParams) -> Res
     let mut places = Places::new(&file.source, unit);
     let written = |naming: &Naming| match naming.name {
         // In a control word each parameter has two digits.
-        Name::Parameter(_) if digits.len() == 1 && in_control_word(naming) => format!("0{digits}"),
+        Name::Parameter(_) if digits.len() == 1 && naming.is_operand() => format!("0{digits}"),
         Name::Parameter(_) | Name::Block(_) | Name::Subprogram(_) | Name::Macrocycle(_) => digits.clone(),
     };
     if let Some(line) = first_long_line(file, meant.iter().map(|naming| (naming.number, written(naming).len()))) {
@@ -120,11 +120,6 @@ fn edits(snapshot: &Snapshot, analysis: &Analysis, params: &RenameParams) -> Res
     }
     let edits = meant.iter().map(|naming| TextEdit { range: places.range(naming.number), new_text: written(naming) });
     Ok(edits.collect())
-}
-
-/// A control word names parameters by nothing but digits.
-fn in_control_word(naming: &Naming) -> bool {
-    matches!(naming.name, Name::Parameter(_)) && naming.around == naming.number
 }
 
 /// Those that follow when one place gets another number: of two blocks of one number, only the first has jumps.

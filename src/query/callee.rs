@@ -29,19 +29,17 @@ pub(crate) fn inputs(names: &Names<'_>, unit: &Unit) -> Vec<u8> {
     let mut assigned = Vec::new();
     let mut inputs = Vec::new();
     for block in (unit.first.0..unit.end.0).map(BlockId) {
-        let named = names.of_block(block, |name| matches!(name, Name::Parameter(_)));
-        let parameters = |wanted: Usage| {
-            named.iter().filter(move |naming| naming.usage == wanted).filter_map(|naming| match naming.name {
-                Name::Parameter(index) => Some(index),
-                Name::Block(_) | Name::Subprogram(_) | Name::Macrocycle(_) => None,
-            })
-        };
-        for index in parameters(Usage::Read) {
-            if !assigned.contains(&index) && !inputs.contains(&index) {
-                inputs.push(index);
+        let mut named = names.of_block(block, |name| matches!(name, Name::Parameter(_)));
+        // Words are read before they assign anything; operations see the results of those before (PAR-7).
+        named.sort_by_key(|naming| (naming.is_operand(), !naming.is_operand() && naming.usage == Usage::Write));
+        for naming in named {
+            let Name::Parameter(index) = naming.name else { continue };
+            match naming.usage {
+                Usage::Read if !assigned.contains(&index) && !inputs.contains(&index) => inputs.push(index),
+                Usage::Write => assigned.push(index),
+                Usage::Read | Usage::Definition | Usage::Call => {}
             }
         }
-        assigned.extend(parameters(Usage::Write));
     }
     inputs.sort_unstable();
     inputs

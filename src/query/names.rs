@@ -48,6 +48,13 @@ pub(crate) struct Naming {
     pub(crate) function: Option<Span>,
 }
 
+impl Naming {
+    /// Whether it is an operand or the result in a control word, which names parameters by nothing but digits.
+    pub(crate) fn is_operand(&self) -> bool {
+        matches!(self.name, Name::Parameter(_)) && self.around == self.number
+    }
+}
+
 /// Whether it is not known before execution which function a G word is.
 pub(crate) fn is_unknown(word: Word) -> bool {
     word.address == Address::G && (word.is_parametric() || word.is_void())
