@@ -264,7 +264,7 @@ fn picture_size(text: &str) -> Result<(u32, u32), String> {
     let side = |text: &str| text.parse().ok().filter(|side| (64..=LARGEST).contains(side));
     let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some((side(width)?, side(height)?)));
     let small = sides.filter(|(width, height)| width * height <= MOST_PIXELS);
-    small.ok_or_else(|| format!("1600x1000, 64–{LARGEST}, ≤ {MOST_PIXELS} px"))
+    small.ok_or_else(|| format!("1600x1000 (64–{LARGEST}, ≤ {MOST_PIXELS} px)"))
 }
 
 /// `motion`.

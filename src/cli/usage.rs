@@ -70,7 +70,7 @@ fn what(error: &clap::Error, lang: Lang) -> String {
             format!("za {argument} nemůže být „{value}“{}", list(&choices)),
         ),
         ErrorKind::ValueValidation => {
-            let why = std::error::Error::source(error).map(|why| format!(": {}", reason(&why.to_string(), lang)));
+            let why = std::error::Error::source(error).map(|why| reason(&why.to_string(), lang));
             let why = why.unwrap_or_default();
             text(format!("{argument} does not take `{value}`{why}"), format!("za {argument} nemůže být „{value}“{why}"))
         }
@@ -108,21 +108,22 @@ fn what(error: &clap::Error, lang: Lang) -> String {
     }
 }
 
-/// Why a value cannot be read: the library speaks English only.
+/// Why a value cannot be read, for the end of the message: the library speaks English only, parsers of values give an
+/// example.
 fn reason(why: &str, lang: Lang) -> String {
     let (en, cs) = match why.rsplit_once(" is not in ").and_then(|(_, range)| range.split_once("..")) {
         // The greatest number of the computer is no limit that a user knows.
         Some((least, most)) => match most.trim_start_matches('=').parse() {
-            Ok(most @ 0..u32::MAX) => (format!("it is {least} to {most}"), format!("smí to být {least} až {most}")),
-            Ok(u32::MAX) | Err(_) => (format!("it is at least {least}"), format!("nejmenší hodnota je {least}")),
+            Ok(most @ 0..u32::MAX) => (format!(": it is {least} to {most}"), format!(": smí to být {least} až {most}")),
+            Ok(u32::MAX) | Err(_) => (format!(": it is at least {least}"), format!(": nejmenší hodnota je {least}")),
         },
         None if why.contains("invalid digit") || why.contains("from empty string") => {
-            ("it is a whole number".to_owned(), "má to být celé číslo".to_owned())
+            (": it is a whole number".to_owned(), ": má to být celé číslo".to_owned())
         }
         None if why.starts_with("number too large") => {
-            ("it is too large".to_owned(), "číslo je příliš velké".to_owned())
+            (": it is too large".to_owned(), ": číslo je příliš velké".to_owned())
         }
-        None => (why.to_owned(), why.to_owned()),
+        None => (format!("; for example {why}"), format!("; například {why}")),
     };
     match lang {
         Lang::En => en,
@@ -169,6 +170,9 @@ mod tests {
         assert!(limit("0").contains("nemůže být „0“: nejmenší hodnota je 1\n"), "{}", limit("0"));
         assert!(limit("x").contains("nemůže být „x“: má to být celé číslo\n"), "{}", limit("x"));
         assert!(limit("99999999999999999999").contains(": číslo je příliš velké\n"));
+        let tolerance = |lang| said(lang, &["cnc872c", "compare", "a.nc", "b.nc", "--tolerance", "0,01"]);
+        assert!(tolerance(Lang::En).contains("does not take `0,01`; for example 0.01\n"), "{}", tolerance(Lang::En));
+        assert!(tolerance(Lang::Cs).contains("nemůže být „0,01“; například 0.01\n"), "{}", tolerance(Lang::Cs));
         assert!(said(Lang::Cs, &["cnc872c", "check"]).contains("Použití: cnc872c check"));
         assert!(said(Lang::En, &["cnc872c", "check", "-x.nc"]).contains("given as `./-…`"));
         assert!(said(Lang::Cs, &["cnc872c", "check", "-x.nc"]).contains("zadává jako „./-…“"));

@@ -216,7 +216,7 @@ fn decades(holds: Holds, lang: Lang) -> Vec<(String, String)> {
             let tenths = pick("in tenths of mm/s²", "v desetinách mm/s²");
             let eighth = pick(
                 "1: the digits count; 0: they are a percentage, which no source explains (W0707)",
-                "1: číslice platí; 0: jsou procentem, které prameny nevysvětlují (W0707)",
+                "1: číslice platí; 0: jsou procentem, které příručky systému nevysvětlují (W0707)",
             );
             vec![(from_to(1, 7), format!("{tenths}; {}", meaning())), (one(8), eighth)]
         }

@@ -86,9 +86,10 @@ motion! {{
 }
 {
     Cycle "cycle-ms" "VEL-4, VEL-5" example "2": number(ABOVE_ZERO, 1_000_000), Nothing =>
-        "interpolation cycle Ts in ms, which no source gives: without it the criteria of accuracy and overload limit \
-        nothing",
-        "takt interpolace Ts v ms, který prameny neuvádějí: bez něj kritéria přesnosti a přetížení nic neomezují";
+        "interpolation cycle Ts in ms, which no source gives: without it the criterion of accuracy and the dynamic \
+        criterion limit nothing",
+        "takt interpolace Ts v ms, který příručky systému neuvádějí: bez něj kritérium přesnosti a dynamické kritérium \
+        nic neomezují";
     Angle "angle-deg" "CNT-2": number(0, 180_000), Is("60") =>
         "tolerance angle: an angle between blocks that is not below it breaks continuity (R39)",
         "toleranční úhel: úhel návaznosti, který není menší, poruší plynulost (R39)";

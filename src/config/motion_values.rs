@@ -407,7 +407,8 @@ impl Assembly<'_> {
         false
     }
 
-    /// Without the cycle the criteria of accuracy and overload limit nothing: said at the first that is on (W0707).
+    /// Without the cycle the criterion of accuracy and the dynamic criterion limit nothing: said at the first that
+    /// is on (W0707).
     fn check_cycle(&mut self) {
         let profile = self.motion.profile.value;
         if profile == Profile::Ramps || self.motion.given(MotionKey::Cycle).value.is_some() {

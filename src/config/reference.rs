@@ -19,8 +19,8 @@ A key that is not known is a warning (W0705); a value of the wrong type or outsi
 than 0.001 is rounded, halves away from zero, with a warning (W0303). `cnc872c init` writes a commented file.
 ",
     cs: "\
-Konfigurace říká, pro jaký stroj programy jsou. Je to soubor TOML ve složce programu nebo v nejbližší složce nad ní;
-jiný určí `--config SOUBOR`. Cesty v něm se počítají od jeho složky. Každý klíč lze vynechat. Přednost má to, co je
+Projektový soubor říká, pro jaký stroj programy jsou. Je to soubor TOML ve složce programu nebo v nejbližší složce nad
+ní; jiný určí `--config SOUBOR`. Cesty v něm se počítají od jeho složky. Každý klíč lze vynechat. Přednost má to, co je
 na příkazovém řádku, hodnotu po hodnotě.
 
 Neznámý klíč je varování (W0705); hodnota nesprávného typu nebo mimo rozsah je chyba na svém místě (E0702) a žádný

@@ -390,7 +390,7 @@ bilingual! {
         Written { written: String } "the number is written with `L`: `{written}`", "cíl se píše s L: „{written}“";
         Turning
             "turning cycles do not exist here: write the passes as blocks, or call a macrocycle by `G72 L…`",
-            "soustružnické cykly zde nejsou: vypsat třísky po blocích, nebo volat makrocyklus „G72 L…“";
+            "soustružnické cykly zde nejsou: rozepsat třísky do bloků, nebo volat makrocyklus „G72 L…“";
         Drilling "the drilling cycles are G81 to G89 here", "vrtací cykly jsou zde G81 až G89";
     }
 }

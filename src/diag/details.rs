@@ -341,7 +341,9 @@ bilingual! {
         NoGroup
             "M groups are numbered from 1, and no function is in group 0",
             "skupiny M funkcí se číslují od 1 a ve skupině 0 není žádná funkce";
-        Unsaid "the sources do not say how a part program gives it", "podklady neříkají, jak ji partprogram udává";
+        Unsaid
+            "the manuals do not say how a part program gives it",
+            "příručky systému neříkají, jak ji partprogram udává";
         Bytes { names: &'static str }
             "it is the name of a kind of bytes, which have names of their own: {names}",
             "je to označení druhu bajtů, které mají vlastní názvy: {names}";
@@ -459,7 +461,7 @@ impl ParameterNeed {
             (Self::CorrectionDigits, Lang::En) => format!("{address} takes four digits, each 0, 1 or 2"),
             (Self::CorrectionDigits, Lang::Cs) => format!("{address} má čtyři číslice, každou 0, 1 nebo 2"),
             (Self::WrittenOut(function), Lang::En) => format!("{function} must be written out"),
-            (Self::WrittenOut(function), Lang::Cs) => format!("{function} musí být v programu vypsáno číslem"),
+            (Self::WrittenOut(function), Lang::Cs) => format!("{function} musí být v programu zapsáno číslem"),
         }
     }
 }

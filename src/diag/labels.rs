@@ -15,7 +15,7 @@ bilingual! {
         InPlaceOfG70 { function: u8 } "M{function:02} is here in place of G70", "místo G70 je zde M{function:02}";
         WithoutEntry
             "these blocks end with G70, but no G79 begins them",
-            "tyto bloky končí funkcí G70, ale žádné G79 je nezačíná";
+            "tyto bloky končí funkcí G70, ale žádná G79 je nezačíná";
         ParameterValue { parameter: u8, value: String }
             "R{parameter} got the value {value} here",
             "zde dostal R{parameter} hodnotu {value}";

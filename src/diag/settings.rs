@@ -185,8 +185,8 @@ bilingual! {
         Circles
             "how R232 limits the velocity on circles is in no source; `centripetal-mm-s2` or R411 with 1 in decade 8 \
             does it",
-            "jak R232 omezuje rychlost na kruhu, prameny neuvádějí; slouží k tomu centripetal-mm-s2 nebo R411 s 1 v \
-            8. dekádě";
+            "jak R232 omezuje rychlost na kruhu, příručky systému neuvádějí; slouží k tomu centripetal-mm-s2 nebo R411 \
+            s 1 v 8. dekádě";
         Recognition
             "decade 1, the rightmost digit, is 0: `R97 = 2` is 2.000, and automatic recognition is written R97 = \
             \"00000002\", manual \"00000001\"",
@@ -206,15 +206,15 @@ bilingual! {
             "kritérium se počítá s taktem interpolace Ts, a cycle-ms není zadáno: časy jsou dolní meze";
         CloseToWorking
             "R236 is to be at least 100 mm/s² below R52, says the manual; both count as they are written",
-            "R236 má být podle návodu aspoň o 100 mm/s² menší než R52; obě platí tak, jak jsou zapsány";
+            "R236 má být podle příručky systému aspoň o 100 mm/s² menší než R52; obě platí tak, jak jsou zapsány";
         LengthCorrection
             "how decade 8 corrects the criterion for the length of blocks is in no source; the other digits are used",
-            "jak 8. dekáda koriguje kritérium na délku bloku, prameny neuvádějí; ostatní číslice platí";
+            "jak 8. dekáda koriguje kritérium na délku bloku, příručky systému neuvádějí; ostatní číslice platí";
         Percentage
             "how a percentage limits the velocity on circles is in no source; with 1 in decade 8 the digits are a \
             centripetal acceleration in tenths of mm/s²",
-            "jak procento omezuje rychlost na kruhu, prameny neuvádějí; s 1 v 8. dekádě jsou číslice odstředivým \
-            zrychlením v desetinách mm/s²";
+            "jak procento omezuje rychlost na kruhu, příručky systému neuvádějí; s 1 v 8. dekádě jsou číslice \
+            odstředivým zrychlením v desetinách mm/s²";
         TooFast { accel: u32, meant: u32, shown: String }
             "{accel} mm/s² is no acceleration of a machine; probably {shown} is meant, which is {meant} mm/s²",
             "{accel} mm/s² není zrychlení stroje; míněno je asi {shown}, tedy {meant} mm/s²";

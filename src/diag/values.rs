@@ -59,7 +59,7 @@ impl ValueMeant {
                 )
             }
             (Self::EarlyStart, Lang::En) => "delete it; in a remark spell the word `percent`".to_owned(),
-            (Self::EarlyStart, Lang::Cs) => "vymazat ho; v poznámce vypsat slovo procent".to_owned(),
+            (Self::EarlyStart, Lang::Cs) => "vymazat ho; v komentáři vypsat slovo procent".to_owned(),
             (Self::Radius, _) => NumberMeant::Radius.text(lang),
             (Self::Height { cycle }, Lang::En) => format!(
                 "{cycle} takes the position of the hole; heights, depths and pecks go into the parameters that its \

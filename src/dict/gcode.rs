@@ -161,8 +161,9 @@ macro_rules! g_functions {
 g_functions! {
     G00 0 G0 Default "MOT-1" "rapid traverse", "rychloposuv";
     G01 1 G0 Modal "MOT-1" "linear interpolation", "lineární interpolace";
-    G02 2 G0 Modal "MOT-5" "circular interpolation, clockwise", "kruhová interpolace po směru hodin";
-    G03 3 G0 Modal "MOT-5" "circular interpolation, counter-clockwise", "kruhová interpolace proti směru hodin";
+    G02 2 G0 Modal "MOT-5" "circular interpolation, clockwise", "kruhová interpolace ve směru hodinových ručiček";
+    G03 3 G0 Modal "MOT-5" "circular interpolation, counter-clockwise",
+        "kruhová interpolace proti směru hodinových ručiček";
     G30 30 G0 Block "MOT-7" "approach of the reference point", "nájezd do reference";
     G33 33 G0 Modal "TEC-3" "thread cutting", "řezání závitu";
     G17 17 G1 Default "GRP-2" "plane XY", "rovina XY";

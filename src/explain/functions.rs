@@ -36,28 +36,46 @@ pub(super) fn g_page(code: GCode, lang: Lang) -> String {
     let once = pick(lang, "One function of the group in a block", "Z jedné skupiny smí být v bloku jediná funkce");
     let _ = writeln!(page, "- {once}");
     if let Some(usage) = usage::of(code) {
-        let own = usage.codes.iter().map(GCode::to_string).find(|own| usage.syntax.contains(own.as_str()));
-        let own = own.unwrap_or_default();
-        let mut text = String::new();
-        add_usage(&mut text, usage, &usage.syntax.replacen(&own, &code.to_string(), 1), lang);
-        // The cycles are written alike.
-        page.push_str(&if code.is_cycle() { text.replace(&own, &code.to_string()) } else { text });
+        let names: Vec<String> = usage.codes.iter().map(GCode::to_string).collect();
+        add_usage(&mut page, usage, &names, &code.to_string(), lang);
     }
     add_findings(&mut page, &code.to_string(), lang);
     page
 }
 
-/// Adds how a function is written, an example, and what else there is to know.
-fn add_usage<C>(page: &mut String, usage: &Usage<C>, syntax: &str, lang: Lang) {
-    let _ = write!(page, "\n## {}\n\n```\n{syntax}\n```\n\n", pick(lang, "Syntax", "Zápis"));
-    for note in usage.notes {
-        bullet(page, note.get(lang));
+/// Adds how a function is written, an example, and what else there is to know. Where syntax or example do not have the
+/// function, it is there in place of the first of the `names` that they have.
+fn add_usage<C>(page: &mut String, usage: &Usage<C>, names: &[String], function: &str, lang: Lang) {
+    let with = |text: &str| match names.iter().find(|name| holds_word(text, name)) {
+        Some(name) if !holds_word(text, function) => text.replace(name, function),
+        _ => text.to_owned(),
+    };
+    let syntax =
+        if names.iter().any(|name| usage.syntax.contains(name)) { with(usage.syntax) } else { function.into() };
+    let _ = write!(page, "\n## {}\n\n```\n{syntax}\n```\n", pick(lang, "Syntax", "Zápis"));
+    for (at, note) in usage.notes.iter().enumerate() {
+        if at == 0 {
+            page.push('\n');
+        }
+        // The key of a cycle.
+        let note = note.get(lang);
+        let key = names.iter().find(|name| note.contains(&format!("`{name} = ")));
+        bullet(
+            page,
+            &key.map_or_else(|| note.to_owned(), |key| note.replace(&format!("`{key} = "), &format!("`{function} = "))),
+        );
     }
     let _ = write!(page, "\n## {}\n", pick(lang, "Example", "Příklad"));
     if !usage.project.is_empty() {
-        let _ = write!(page, "\n```toml\n{}```\n", usage.project);
+        let _ = write!(page, "\n```toml\n{}```\n", with(usage.project));
     }
-    let _ = write!(page, "\n```nc\n{}\n```\n", usage.example);
+    let mut example = with(usage.example);
+    if lang == Lang::Cs {
+        for comment in usage::COMMENTS {
+            example = example.replace(comment.en, comment.cs);
+        }
+    }
+    let _ = write!(page, "\n```nc\n{example}\n```\n");
 }
 
 /// Most characters of a line.
@@ -119,26 +137,31 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
                 let _ = writeln!(page, "- {}", lasts(row.lasting, lang));
             }
             None => {
-                let old = Dialect::ALL
-                    .iter()
-                    .any(|dialect| dialects.contains(&dialect.title()) && !dialect.has_channel_config());
+                let has = |channel_config| {
+                    let mut of = Dialect::ALL.iter().filter(|dialect| dialects.contains(&dialect.title()));
+                    of.any(|dialect| dialect.has_channel_config() == channel_config)
+                };
                 let rest = M_GROUPS - 1;
-                let text = match (lang, old) {
-                    (Lang::En, true) => format!(
-                        "No standard function: what it does is up to the machine builder. M group {rest}, or by \
-                         machine constants R56–R59 a group from 10 to 13"
+                let group = match (lang, has(false), has(true)) {
+                    (Lang::En, true, false) => "machine constants R56–R59 give, 10 to 13",
+                    (Lang::Cs, true, false) => "strojní konstanty R56–R59, 10 až 13",
+                    (Lang::En, false, _) => "MFunctions of the ChannelConfig give",
+                    (Lang::Cs, false, _) => "MFunctions v ChannelConfigu",
+                    (Lang::En, true, true) => {
+                        "machine constants R56–R59 give, 10 to 13, on CNC872 MFunctions of the ChannelConfig"
+                    }
+                    (Lang::Cs, true, true) => {
+                        "strojní konstanty R56–R59, 10 až 13, u CNC872 MFunctions v ChannelConfigu"
+                    }
+                };
+                let text = match lang {
+                    Lang::En => format!(
+                        "No standard function: what it does is up to the machine builder. M group {rest}, or the group \
+                         that {group}"
                     ),
-                    (Lang::Cs, true) => format!(
-                        "Není to pevná funkce: co dělá, určuje výrobce stroje. {rest}. skupina M funkcí, nebo podle \
-                         strojních konstant R56–R59 skupina 10 až 13"
-                    ),
-                    (Lang::En, false) => format!(
-                        "No standard function: what it does is up to the machine builder. M group {rest}, or what \
-                         MFunctions of the ChannelConfig say"
-                    ),
-                    (Lang::Cs, false) => format!(
-                        "Není to pevná funkce: co dělá, určuje výrobce stroje. {rest}. skupina M funkcí, nebo jak říká \
-                         MFunctions v ChannelConfig"
+                    Lang::Cs => format!(
+                        "Není to standardní funkce: co dělá, určuje výrobce stroje. {rest}. skupina M funkcí, nebo \
+                         skupina, kterou určují {group}"
                     ),
                 };
                 let _ = writeln!(page, "- {text}");
@@ -146,13 +169,8 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
         }
     }
     if let Some(usage) = m_usage::of(number) {
-        let own = usage.codes.first().map(|first| format!("M{first:02}")).unwrap_or_default();
-        let syntax = if usage.syntax.contains(&own) {
-            usage.syntax.replacen(&own, &format!("M{number:02}"), 1)
-        } else {
-            format!("M{number:02}")
-        };
-        add_usage(&mut page, usage, &syntax, lang);
+        let names: Vec<String> = usage.codes.iter().map(|code| format!("M{code:02}")).collect();
+        add_usage(&mut page, usage, &names, &format!("M{number:02}"), lang);
     }
     add_findings(&mut page, &format!("M{number:02}"), lang);
     page

@@ -46,8 +46,8 @@ const END: &[Bilingual] = &[
 ];
 
 const CLAMP: &[Bilingual] = &[note(
-    "It holds in its block only: the machine keeps what was done",
-    "Platí jen ve svém bloku: stroj udělané drží dál",
+    "It holds in its block only; the workpiece stays clamped after M10 and released after M11 in the next blocks too",
+    "Platí jen ve svém bloku; po M10 zůstane obrobek upnut a po M11 uvolněn i v dalších blocích",
 )];
 
 const COOLANT: &[Bilingual] = &[
@@ -112,7 +112,8 @@ pub(super) const USAGES: &[Usage<u8>] = &[
         ],
     ),
     usage(&[40, 41, 42, 43, 44], "M40 S…", "N10 M40 S1200 M03", GEAR),
-    usage(&[7, 8, 9, 17, 50, 51, 52, 53], "M08", "N10 M08\nN20 G90 G00 Z2\nN30 M09", COOLANT),
+    usage(&[7, 8, 9, 17], "M08", "N10 M08\nN20 G90 G00 Z2\nN30 M09", COOLANT),
+    usage(&[50, 51, 52, 53], "M50", "N10 M50\nN20 G90 G00 Z2\nN30 M53", COOLANT),
     usage(
         &[36, 37],
         "M37",
@@ -134,7 +135,7 @@ pub(super) const USAGES: &[Usage<u8>] = &[
         )],
     ),
     usage(&[10, 11], "M10", "N10 M10\nN20 G90 G00 X0\nN30 M11", CLAMP),
-    usage(&[60], "M60", "N10 G90 G00 Z100\nN20 M60\nN30 X0 Y0", CLAMP),
+    usage(&[60], "M60", "N10 G90 G00 Z100\nN20 M60\nN30 X0 Y0", &[]),
 ];
 
 /// The notes on a function beyond the tables.

@@ -59,7 +59,8 @@ const ARC: &[Bilingual] = &[
     note(
         "Seen with the first axis of the plane to the right and the second up (XY, YZ, ZX), G02 turns clockwise, G03 \
          counter-clockwise",
-        "Při pohledu, kde první osa roviny míří vpravo a druhá nahoru (XY, YZ, ZX), jede G02 po směru hodin, G03 proti",
+        "Při pohledu, kde první osa roviny míří vpravo a druhá nahoru (XY, YZ, ZX), jede G02 ve směru hodinových \
+         ručiček, G03 proti němu",
     ),
     note(
         "The function holds: a block with axis words and without a G00, G01 … is an arc again, and needs I and J of \
@@ -98,20 +99,24 @@ const ARITHMETIC: &[Bilingual] = &[
     ),
 ];
 
+const fn arithmetic(codes: &'static [GCode], syntax: &'static str, example: &'static str) -> Usage<GCode> {
+    Usage { project: "[operations]\n\"01\" = \"add\"\n\"02\" = \"mul\"\n", ..usage(codes, syntax, example, ARITHMETIC) }
+}
+
 const CYCLE: &[Bilingual] = &[
     note(
-        "On other controls: drilling, tapping and boring (G81 drilling, G84 tapping, G85 boring)",
-        "U jiných systémů: vrtání, závitování a vyvrtávání (G81 vrtání, G84 závit, G85 vyvrtávání)",
+        "On other controls these cycles drill, tap and bore (G81 drilling, G84 tapping, G85 boring)",
+        "U jiných systémů tyto cykly vrtají, řežou závity a vyvrtávají (G81 vrtání, G84 závit, G85 vyvrtávání)",
     ),
     note(
-        "What it does is not in the manuals but for \"by the ISO standard\". So the project file says which \
-         macrocycle it is: `[cycles]`, `G81 = 8100`",
-        "Co dělá, příručky neříkají, jen „podle normy ISO“. Makrocyklus proto určuje projektový soubor: `[cycles]`, \
-         `G81 = 8100`",
+        "Of what it does the manuals say only \"by the ISO standard\". So the project file says which macrocycle \
+         it is: `[cycles]`, `G81 = 8100`",
+        "O tom, co dělá, říkají příručky systému jen „podle normy ISO“. Makrocyklus proto určuje projektový soubor: \
+         `[cycles]`, `G81 = 8100`",
     ),
     note(
-        "While it holds, each block with a motion moves as G00, G01 … say, and then calls the macrocycle once, as a \
-         G72 would. G80 ends it",
+        "While it holds, each block with a motion moves as G00, G01 … require, and then calls the macrocycle once, as \
+         a G72 would. G80 ends it",
         "Dokud platí, každý blok s pohybem jede podle G00, G01 … a pak jednou zavolá makrocyklus, jako by to udělala \
          G72. Ukončí ji G80",
     ),
@@ -133,9 +138,9 @@ const OFFSET: &[Bilingual] = &[
         "Počátky jsou v tabulce systému; programy se kontrolují v programovaných souřadnicích, bez nich",
     ),
     note(
-        "After a change the tool is not where the program thinks: go to the next point by a straight line, not by an \
-         arc (W0610)",
-        "Po změně nástroj nestojí tam, kde program myslí: další bod najet přímkou, ne obloukem (W0610)",
+        "After a change the tool is not where the program expects it: go to the next point by a straight line, not by \
+         an arc (W0610)",
+        "Po změně nástroj nestojí tam, kde předpokládá program: další bod najet přímkou, ne obloukem (W0610)",
     ),
 ];
 
@@ -184,6 +189,44 @@ const COPYING: &[Bilingual] = &[note(
     "Its effect is not modelled (W0612): the stream shows the programmed path",
     "Účinek se nemodeluje (W0612): proud bloků ukazuje programovanou dráhu",
 )];
+
+const HELIX: &[Bilingual] = &[
+    note(
+        "G09 with an arc and a third axis makes a helix; without G09 that is W0613",
+        "G09 s obloukem a třetí osou dělá šroubovici; bez G09 je to W0613",
+    ),
+    note(
+        "I, J, K beside the arc's go into the stream as written: the manuals do not say which of them gives the pitch",
+        "I, J, K jsou v proudu bloků tak, jak jsou napsána: příručky systému neříkají, které z nich udává stoupání",
+    ),
+    note("They hold until G98, G23 or G24", "Platí do G98, G23 nebo G24"),
+];
+
+const SUBPROGRAM: &[Bilingual] = &[
+    note(
+        "A subprogram begins with a block that holds its number, G79, L and nothing else, and ends with the \
+         first block that holds G70; that block may do more",
+        "Podprogram začíná blokem, ve kterém je jen jeho číslo, G79 a L, a končí prvním blokem s G70; ten \
+         může dělat i něco dalšího",
+    ),
+    note(
+        "It comes after M02 or M30, in the file of its program; a macrocycle is one such unit in a file of \
+        its own",
+        "Je za M02 nebo M30 v souboru svého programu; makrocyklus je jeden takový celek ve vlastním souboru",
+    ),
+];
+
+const SUBPROGRAM_EXAMPLE: &str =
+    "N10 G90 G00 X0 Y0\nN20 G71 L100\nN30 M30\nN40 G79 L100\nN50 G91 G01 X5 F200\nN60 G90 G70";
+
+/// The comments of the examples; in Czech without diacritics, as in programs.
+pub(super) const COMMENTS: &[Bilingual] = &[
+    note("half a second", "pul sekundy"),
+    note("turn the part", "otocit obrobek"),
+    note("in this block only", "jen v tomto bloku"),
+    note("N20 runs four times", "N20 probehne ctyrikrat"),
+    note("at X15", "na X15"),
+];
 
 /// Every G function, in groups that are written alike.
 pub(super) const USAGES: &[Usage<GCode>] = &[
@@ -245,28 +288,20 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
             ),
             note(
                 "I, J, K go into the stream as written: the manuals do not say which of them gives a pitch",
-                "I, J, K jsou v proudu bloků tak, jak jsou napsána: příručky neříkají, které z nich udává stoupání",
+                "I, J, K jsou v proudu bloků tak, jak jsou napsána: příručky systému neříkají, které z nich udává \
+                stoupání",
             ),
         ],
     ),
     usage(&[G17, G18, G19, G14, G15, G16], "G17", "N10 G17 G90 G00 X0 Y0\nN20 G19 Z5", PLANE),
     usage(&[G05, G06, G07, G08], "G05", "N10 G05 G90 G00 X0\nN20 G98", COPYING),
     usage(
-        &[G09, G10],
+        &[G09],
         "G09 G02 X… Y… Z… I… J… K…",
         "N10 G90 G00 X20 Y0 Z0\nN20 G09 G03 X20 Y0 Z-2 I-20 J0 F100\nN30 G98",
-        &[
-            note(
-                "G09 with an arc and a third axis makes a helix; without G09 that is W0613",
-                "G09 s obloukem a třetí osou dělá šroubovici; bez G09 je to W0613",
-            ),
-            note(
-                "I, J, K beside the arc's go into the stream as written: which gives the pitch is in no source",
-                "I, J, K jsou v proudu bloků tak, jak jsou napsána: které z nich udává stoupání, zdroje neříkají",
-            ),
-            note("They hold until G98, G23 or G24", "Platí do G98, G23 nebo G24"),
-        ],
+        HELIX,
     ),
+    usage(&[G10], "G10 G02 X… Y… I… J… K…", "N10 G90 G00 X20 Y0\nN20 G10 G03 X20 Y0 I-20 J0 F100\nN30 G98", HELIX),
     usage(
         &[G23],
         "G23 I…",
@@ -321,40 +356,30 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
             ),
         ],
     ),
-    Usage {
-        project: "[operations]\n\"01\" = \"add\"\n\"02\" = \"mul\"\n",
-        ..usage(
-            &[G26, G27, G28, G29],
-            "G26 R5=oo aa bb rr",
-            "N10 R10=12.5 R11=4\nN20 G26 R5=01101112\nN30 G90 G00 XR12 \"16.5\"\nN40 G27 R5=01101112 R6=02121113\nN50 \
-            XR13 \"66\"",
-            ARITHMETIC,
-        )
-    },
+    arithmetic(&[G26], "G26 R5=ooaabbrr", "N10 R10=12.5 R11=4\nN20 G26 R5=01101112\nN30 G90 G00 XR12 \"16.5\""),
+    arithmetic(
+        &[G27],
+        "G27 R5=ooaabbrr R6=ooaabbrr",
+        "N10 R10=12.5 R11=4\nN20 G27 R5=01101112 R6=02121113\nN30 G90 G00 XR13 \"66\"",
+    ),
+    arithmetic(
+        &[G28],
+        "G28 R5=ooaabbrr R6=ooaabbrr R7=ooaabbrr",
+        "N10 R10=12.5 R11=4\nN20 G28 R5=01101112 R6=02121113 R7=01131014\nN30 G90 G00 XR14 \"78.5\"",
+    ),
+    arithmetic(
+        &[G29],
+        "G29 R5=ooaabbrr R6=ooaabbrr R7=ooaabbrr R8=ooaabbrr",
+        "N10 R10=12.5 R11=4\nN20 G29 R5=01101112 R6=02121113 R7=01131014 R8=01141115\nN30 G90 G00 XR15 \"82.5\"",
+    ),
     usage(&[G53, G54, G55, G56, G57], "G54", "N10 G54 G90 G00 X0 Y0", OFFSET),
     usage(&[G58, G59], "G58", "N10 G54 G90 G00 X0 Y0\nN20 G58 X5 \"in this block only\"\nN30 X10", OFFSET),
     usage(&[G94], "G94 F…", "N10 G94 G90 G01 X10 F300", FEED_MODE),
     usage(&[G95], "G95 S… F…", "N10 G95 S800 M03\nN20 G90 G01 X10 F0.2", FEED_MODE),
     usage(&[G96], "G96 S… F…", "N10 G96 S120 M03\nN20 G90 G01 X10 F200", FEED_MODE),
     usage(&[G97], "G97 S… F…", "N10 G97 S800 M03\nN20 G90 G00 X10", FEED_MODE),
-    usage(
-        &[G70, G79],
-        "G79 L… … G70",
-        "N10 G90 G00 X0 Y0\nN20 G71 L100\nN30 M30\nN40 G79 L100\nN50 G91 G01 X5 F200\nN60 G90 G70",
-        &[
-            note(
-                "A subprogram begins with a block that holds its number, G79, L and nothing else, and ends with the \
-                 first block that holds G70; that block may do more",
-                "Podprogram začíná blokem, ve kterém je jen jeho číslo, G79 a L, a končí prvním blokem s G70; ten \
-                 může dělat i něco dalšího",
-            ),
-            note(
-                "It comes after M02 or M30, in the file of its program; a macrocycle is one such unit in a file of \
-                its own",
-                "Je za M02 nebo M30 v souboru svého programu; makrocyklus je jeden takový celek ve vlastním souboru",
-            ),
-        ],
-    ),
+    usage(&[G70], "G79 L… … G70", SUBPROGRAM_EXAMPLE, SUBPROGRAM),
+    usage(&[G79], "G79 L… … G70", SUBPROGRAM_EXAMPLE, SUBPROGRAM),
     usage(
         &[G71],
         "G71 L… Q…",
@@ -512,6 +537,17 @@ mod tests {
     use super::*;
     use crate::dict::{Dialect, standard_m_functions};
     use crate::explain::m_usage;
+
+    /// Each comment with words is there in Czech too.
+    #[test]
+    fn comments_are_translated() {
+        let examples = USAGES.iter().map(|usage| usage.example);
+        for example in examples.chain(m_usage::USAGES.iter().map(|usage| usage.example)) {
+            for comment in example.split('"').skip(1).step_by(2).filter(|text| text.contains(char::is_alphabetic)) {
+                assert!(COMMENTS.iter().any(|known| known.en == comment), "{comment}");
+            }
+        }
+    }
 
     /// Each function has its syntax and example, once.
     #[test]

@@ -51,7 +51,7 @@ bilingual! {
             "soubor makrocyklu L{l} se jmenuje podle jeho čísla a volat ho mohou i programy, které nejsou otevřené";
         MacrocycleConfigured { l: u32, key: String }
             "the key {key} of the project file names macrocycle L{l}",
-            "na makrocyklus L{l} odkazuje klíč {key} v konfiguraci";
+            "na makrocyklus L{l} odkazuje klíč {key} v projektovém souboru";
         Reserved { r: u8 } "R{r} is reserved for control functions", "R{r} je vyhrazen pro řídicí funkce";
         ControlParameter
             "R5–R8 hold the control words of G26–G29, which the program uses",

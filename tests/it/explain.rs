@@ -194,7 +194,7 @@ fn examples_of_functions() {
                 continue;
             }
             programs += 1;
-            let end = if example.text.contains("M30") { "" } else { "N9999 M30\n" };
+            let end = if ["M30", "M02"].iter().any(|end| example.text.contains(end)) { "" } else { "N9999 M30\n" };
             let folder = folder.clone().with("a.nc", format!("%1\n{}{end}", example.text));
             let mut request = Request::default();
             let old = matches!(topic, Topic::M(36 | 37));

@@ -22,8 +22,8 @@ bilingual! {
         Moved { what: String, new: String, old: String }
             "{what} now in {new} (was {old})",
             "{what} nyní v {new} (bylo {old})";
-        Added { count: String, places: String } "{count} added {places}", "přidáno: {count} {places}";
-        Removed { count: String, places: String } "{count} removed {places}", "odebráno: {count} {places}";
+        Added { count: String, places: String } "{count} added {places}", "přidáno {count} {places}";
+        Removed { count: String, places: String } "{count} removed {places}", "odebráno {count} {places}";
         OneBlock "1 block", "bloků: 1";
         ManyBlocks { count: u64 } "{count} blocks", "bloků: {count}";
         Dwell "dwell", "prodleva";

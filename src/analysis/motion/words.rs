@@ -20,12 +20,13 @@ bilingual! {
             "P is not known where it counts: the jerk is not limited there; such blocks: {blocks}",
             "P tam, kde platí, není známo: ryv tam není omezen; takových bloků: {blocks}";
         LacksCycle
-            "The interpolation cycle Ts (cycle-ms) is not known: the criteria of accuracy and overload limit nothing, \
-            the time is a lower bound",
-            "Takt interpolace Ts (cycle-ms) není znám: kritéria přesnosti a přetížení nic neomezují, čas je dolní mez";
+            "The interpolation cycle Ts (cycle-ms) is not known: the criterion of accuracy and the dynamic criterion \
+            limit nothing, the time is a lower bound",
+            "Takt interpolace Ts (cycle-ms) není znám: kritérium přesnosti a dynamické kritérium nic neomezují, čas je \
+            dolní mez";
         CountAsZero { what: String }
             "Count as 0, because no time is given: {what}",
-            "Počítá se 0, protože čas není zadán: {what}";
+            "S nulovým časem se počítají, protože čas není zadán: {what}";
         Override "override 100 % (M48, M49)", "override 100 % (M48, M49)";
         Assumed
             "The machine is assumed, nothing is configured in [motion]. The estimate rests on",

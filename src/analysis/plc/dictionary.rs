@@ -136,7 +136,7 @@ pub const ROWS: &[Row] = &[
         "8.3.1",
         3,
         "M00 is programmed in the block",
-        "v bloku je programováno M00",
+        "v bloku je programována M00",
     ),
     flag(
         "BLK.CondStop",
@@ -144,7 +144,7 @@ pub const ROWS: &[Row] = &[
         "8.3.1",
         3,
         "M01 is programmed in the block",
-        "v bloku je programováno M01",
+        "v bloku je programována M01",
     ),
     flag("BLK.HProg", |_| Cell::Flag(Flag::HProg), "8.3.1", 3, "change bit of H", "změnový bit funkce H"),
     flag("BLK.TProg", |_| Cell::Flag(Flag::TProg), "8.3.1", 3, "change bit of T", "změnový bit funkce T"),
@@ -278,7 +278,7 @@ pub const ROWS: &[Row] = &[
         "8.2.7",
         9,
         "M00 is programmed: stop",
-        "programováno M00: programový stop",
+        "programována M00: programový stop",
     ),
     flag(
         "M01_PID",
@@ -286,7 +286,7 @@ pub const ROWS: &[Row] = &[
         "8.2.7",
         9,
         "M01 is programmed: optional stop",
-        "programováno M01: volitelný stop",
+        "programována M01: volitelný stop",
     ),
     flag(
         "M02_PID",
@@ -294,7 +294,7 @@ pub const ROWS: &[Row] = &[
         "8.2.7",
         9,
         "M02 is programmed: end of program",
-        "programováno M02: konec partprogramu",
+        "programována M02: konec partprogramu",
     ),
     flag(
         "M30_PID",
@@ -302,7 +302,7 @@ pub const ROWS: &[Row] = &[
         "8.2.7",
         9,
         "M30 is programmed: end of program",
-        "programováno M30: konec partprogramu",
+        "programována M30: konec partprogramu",
     ),
     flag(
         "M10PID",
@@ -310,7 +310,7 @@ pub const ROWS: &[Row] = &[
         "8.2.12",
         9,
         "M10 is programmed: clamp the workpiece",
-        "programováno M10: upnutí obrobku",
+        "programována M10: upnutí obrobku",
     ),
     flag(
         "M11PID",
@@ -318,7 +318,7 @@ pub const ROWS: &[Row] = &[
         "8.2.12",
         9,
         "M11 is programmed: release the workpiece",
-        "programováno M11: uvolnění obrobku",
+        "programována M11: uvolnění obrobku",
     ),
     flag(
         "M06PID",
@@ -326,7 +326,7 @@ pub const ROWS: &[Row] = &[
         "8.2.13",
         9,
         "M06 is programmed: tool change",
-        "programováno M06: výměna nástroje",
+        "programována M06: výměna nástroje",
     ),
     flag(
         "M60PI",
@@ -334,7 +334,7 @@ pub const ROWS: &[Row] = &[
         "8.2.13",
         9,
         "M60 is programmed: workpiece change",
-        "programováno M60: výměna obrobku",
+        "programována M60: výměna obrobku",
     ),
     flag(
         "M03PI",
@@ -342,7 +342,7 @@ pub const ROWS: &[Row] = &[
         "8.2.8",
         10,
         "M03 in force: spindle clockwise",
-        "platí M03: vřeteno po směru hodin",
+        "platí M03: vřeteno ve směru hodinových ručiček",
     ),
     flag(
         "M04PI",
@@ -350,7 +350,7 @@ pub const ROWS: &[Row] = &[
         "8.2.8",
         10,
         "M04 in force: spindle counter-clockwise",
-        "platí M04: vřeteno proti směru hodin",
+        "platí M04: vřeteno proti směru hodinových ručiček",
     ),
     flag(
         "M19PI",

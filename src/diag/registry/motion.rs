@@ -77,7 +77,7 @@ macro_rules! motion {
                })
         [E0608] OrientedStopUnavailable "oriented-stop-unavailable" Error {}
             en "this machine is configured without the oriented stop M19"
-            cs "stroj nemá podle konfigurace stop vřetena v orientovaném bodě (M19)"
+            cs "stroj nemá podle projektového souboru stop vřetena v orientovaném bodě (M19)"
             help "use M05; if the machine has the oriented stop M19, set `oriented-stop = true`"
                | "použít M05; má-li stroj stop v orientovaném bodě (M19), nastavit oriented-stop = true"
         [E0609] CenterWordNotUsable "center-word-not-usable" Error {
@@ -259,7 +259,7 @@ macro_rules! motion {
             help "end the cycle with G80 before the tool change" | "před výměnou nástroje cyklus ukončit funkcí G80"
         [W0628] ToolNotChanged "tool-not-changed" Warning { t: String }
             en "T{t} is named, and no M06 follows"
-            cs "T{t} je zvolen a žádné M06 po něm nenásleduje"
+            cs "T{t} je zvolen a žádná M06 po něm nenásleduje"
             help "`T` only names the tool: change it with M06" | "T nástroj jen volí: vymění ho M06"
         [W0629] ArcTurnsBack "arc-turns-back" Warning { function: GCode, meant: GCode, count: u64 }
             en "the path turns back at both ends of the arc; {meant} would join both neighbours smoothly"

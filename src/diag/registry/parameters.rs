@@ -75,7 +75,7 @@ macro_rules! parameters {
                | "číslice jsou „oo aa bb rr“: operace, první operand, druhý operand, výsledek"
         [E0508] UnknownOperation "unknown-operation" Error { operation: i64, digits: i64, written: usize }
             en "the configuration does not say what operation {operation:02} means"
-            cs "význam kódu operace {operation:02} není v konfiguraci uveden"
+            cs "význam kódu operace {operation:02} není v projektovém souboru uveden"
             help (if *written > 8 {
                 "a control word has eight digits: `oo aa bb rr`".to_owned()
             } else {

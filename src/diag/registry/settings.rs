@@ -85,7 +85,7 @@ macro_rules! settings {
                 None => format!("s korekcí D{d} (poloměr {radius}) z tohoto pohybu mezi sousedními nic nezbývá"),
             })
             help "use a smaller tool, or change the contour; `cnc872c view` shows the place in red"
-               | "použít menší nástroj, nebo upravit konturu; cnc872c view ukáže místo červeně"
+               | "použít menší nástroj, nebo upravit obrys; cnc872c view ukáže místo červeně"
         [W0812] UnknownCorrection "unknown-correction" Warning { d: u32 }
             en "no radius is configured for the correction D{d}: the corrected path is not drawn, and not checked"
             cs "pro korekci D{d} není nastaven poloměr: korigovaná dráha se nekreslí ani nekontroluje"

@@ -136,7 +136,7 @@ macro_rules! structure {
                     format!("{unit} nemá konec: G70 na řádku {line} je až za hvězdičkou, která ukončuje soubor")
                 } else {
                     match (macrocycle, skipped, last) {
-                        (_, true, _) => "při zapnutém vynechání bloků se vynechá i G70, které tento celek ukončuje",
+                        (_, true, _) => "při zapnutém vynechání bloků se vynechá i G70, která tento celek ukončuje",
                         (true, false, _) => "makrocyklus nemá konec: v žádném bloku není G70",
                         (false, false, true) => "podprogram nemá konec: až do konce souboru v žádném bloku není G70",
                         (false, false, false) => {
@@ -182,7 +182,7 @@ macro_rules! structure {
                | "některé převést na makrocykly: samostatné soubory volané pomocí G72"
         [W0211] UnusedSubprogram "unused-subprogram" Warning { l: u32 }
             en "no G71 calls subprogram L{l}"
-            cs "podprogram L{l} žádné G71 nevolá"
+            cs "podprogram L{l} žádná G71 nevolá"
             help "call it with `G71 L{l}`, or delete it" | "zavolat ho pomocí „G71 L{l}“, nebo ho vymazat"
         [E0212] EndOutsideSubprogram "end-outside-subprogram" Error { finishing: bool }
             en (if *finishing { "G70 with the words of a turning cycle" } else { "G70 in the main program" })
@@ -193,7 +193,7 @@ macro_rules! structure {
                 "G70 ends subprograms and macrocycles; the main program ends with M02 or M30"
             })
                | (if *finishing {
-                   "soustružnické cykly zde nejsou, G70 ukončuje podprogram: konturu vypsat po blocích"
+                   "soustružnické cykly zde nejsou, G70 ukončuje podprogram: obrys rozepsat do bloků"
                } else {
                    "G70 ukončuje podprogramy a makrocykly; hlavní program končí M02 nebo M30"
                })

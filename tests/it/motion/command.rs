@@ -417,7 +417,7 @@ fn counted_as_nothing() {
         let line = run.stdout.lines().find(|line| line.starts_with(start)).map(str::to_owned);
         line.unwrap_or_else(|| panic!("{start}: {}", run.stdout))
     };
-    let (en, cs) = ("Count as 0, because no time is given: ", "Počítá se 0, protože čas není zadán: ");
+    let (en, cs) = ("Count as 0, because no time is given: ", "S nulovým časem se počítají, protože čas není zadán: ");
     let (change, change_cs) = ("tool changes (M06 in [motion.times])", "výměny nástroje (M06 v [motion.times])");
     for config in ["", "[motion.times]\nM03 = 1.5\n"] {
         assert!(line(config, "en", en).contains(change), "{config}");
