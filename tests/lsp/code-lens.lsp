@@ -19,7 +19,7 @@ N530 Z5 G70
 N600 G79 L20
 N610 G70
 === findings part.nc
-10:5-10:8 W0211 podprogram L20 žádné G71 nevolá | nápověda: zavolat ho pomocí „G71 L20“, nebo ho vymazat
+10:5-10:8 W0211 podprogram L20 žádná G71 nevolá | nápověda: zavolat ho pomocí „G71 L20“, nebo ho vymazat
 === request textDocument/codeLens part.nc
 === answer
 [

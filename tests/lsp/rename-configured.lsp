@@ -19,12 +19,12 @@ N30 M30
 === answer
 {
   "code": -32803,
-  "message": "na makrocyklus L8100 odkazuje klíč cycles.G81 v konfiguraci"
+  "message": "na makrocyklus L8100 odkazuje klíč cycles.G81 v projektovém souboru"
 }
 === request textDocument/rename part.nc@machine
 { "newName": "9051" }
 === answer
 {
   "code": -32803,
-  "message": "na makrocyklus L9050 odkazuje klíč machine-macrocycles.L9050 v konfiguraci"
+  "message": "na makrocyklus L9050 odkazuje klíč machine-macrocycles.L9050 v projektovém souboru"
 }
