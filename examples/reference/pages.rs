@@ -200,7 +200,7 @@ const fn legend(lang: Lang) -> &'static str {
         "`+` holds after a reset and after M02 and M30; `x` holds in its block only; the others hold until another \
          function\nof their group. A mark in brackets is a decision: the manuals have none there.",
         "`+` platí po vynulování systému a po M02 a M30; `x` platí jen ve svém bloku; ostatní platí do další funkce\nsvé \
-         skupiny. Značka v závorkách je rozhodnutí: manuály tu žádnou nemají.",
+         skupiny. Značka v závorkách je rozhodnutí: příručky systému tu žádnou nemají.",
     )
 }
 

@@ -461,7 +461,7 @@ impl ParameterNeed {
             (Self::CorrectionDigits, Lang::En) => format!("{address} takes four digits, each 0, 1 or 2"),
             (Self::CorrectionDigits, Lang::Cs) => format!("{address} má čtyři číslice, každou 0, 1 nebo 2"),
             (Self::WrittenOut(function), Lang::En) => format!("{function} must be written out"),
-            (Self::WrittenOut(function), Lang::Cs) => format!("{function} musí být v programu zapsáno číslem"),
+            (Self::WrittenOut(function), Lang::Cs) => format!("{function} se musí v programu zapsat číslem"),
         }
     }
 }
