@@ -39,6 +39,11 @@ impl Analysis {
         Session { loader: self.loader.as_ref(), settings: &self.settings, progress: None }
     }
 
+    /// The texts, with those of macrocycles that execution loaded, once it is over.
+    pub(crate) fn all_sources(&self) -> &Sources {
+        self.record.get().map_or(&self.sources, Record::sources)
+    }
+
     /// Executes the program and shows every block to a sink.
     pub(crate) fn observe(&self, sink: impl Sink) {
         self.session().observe(&self.path, self.resolved.clone(), self.sources.clone(), sink);

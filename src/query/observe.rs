@@ -129,9 +129,7 @@ pub(crate) fn executing<'a>(
         if is_cycle_of(other, analysis) {
             return true;
         }
-        // Its execution may have loaded more: macrocycles that parameters lead to.
-        let sources = other.record.get().map_or(&other.sources, Record::sources);
-        let source = sources.iter().find(|(_, source)| is(other, source.name(), analysis));
+        let source = other.all_sources().iter().find(|(_, source)| is(other, source.name(), analysis));
         source.is_some_and(|(_, source)| {
             analysis.resolved.file(DOCUMENT).is_some_and(|file| file.source.text() == source.text())
         })
