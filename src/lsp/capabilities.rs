@@ -16,6 +16,7 @@ use super::commands::STREAM;
 use super::completion::TRIGGERS;
 use super::findings::SCHEME;
 use super::{semantic_tokens, signature};
+use crate::config::EXTENSIONS;
 use crate::text::ColumnUnit;
 
 /// The capabilities for that client.
@@ -109,8 +110,12 @@ fn workspace() -> Value {
 
 /// The watchers that the client should register: for files that findings depend on and that other programs change.
 pub(super) fn registrations() -> Value {
-    let globs = ["**/cnc872c.toml", "**/*.[xX][mM][lL]", "**/*.{nc,NC,ncp,NCP,mrc,MRC,mpf,MPF}", "**/[lL][0-9]*"];
-    let watchers: Vec<Value> = globs.iter().map(|glob| json!({ "globPattern": glob })).collect();
+    let extensions = ["xml", "mrc"].iter().chain(EXTENSIONS).map(|extension| {
+        let either = |letter: char| format!("[{letter}{}]", letter.to_ascii_uppercase());
+        format!("**/*.{}", extension.chars().map(either).collect::<String>())
+    });
+    let globs = ["**/cnc872c.toml", "**/[lL][0-9]*"].map(str::to_owned).into_iter().chain(extensions);
+    let watchers: Vec<Value> = globs.map(|glob| json!({ "globPattern": glob })).collect();
     json!({
         "registrations": [{
             "id": "files",

@@ -59,6 +59,8 @@ pub(super) fn code_lens(
     for (at, (id, unit)) in units.into_iter().enumerate() {
         let callers = called.remove(&id).unwrap_or_default();
         let title = match callers.len() {
+            // What executes it leads there by a parameter or a fixed cycle.
+            0 if !analysis.executable && snapshot.open().any(|open| open.has_executed(analysis)) => Said::CallUnseen,
             1 => Said::OneCall,
             count => Said::Calls { count },
         };

@@ -1,7 +1,7 @@
 //! Facts about a program or macrocycle before it is executed.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 use super::state::Indexed;
@@ -42,6 +42,13 @@ impl Analysis {
     /// The texts, with those of macrocycles that execution loaded, once it is over.
     pub(crate) fn all_sources(&self) -> &Sources {
         self.record.get().map_or(&self.sources, Record::sources)
+    }
+
+    /// Whether its execution, once it is over, has loaded the file of another document.
+    pub(crate) fn has_executed(&self, document: &Self) -> bool {
+        let is_it = |name: &str| self.loader.canonical(Path::new(name)) == document.path;
+        self.path != document.path
+            && self.record.get().is_some_and(|record| record.sources().iter().any(|(_, source)| is_it(source.name())))
     }
 
     /// Executes the program and shows every block to a sink.

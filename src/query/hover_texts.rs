@@ -98,6 +98,7 @@ bilingual! {
             "Kolikrát se v celém programu provede; počítá se každé opakování podle Q.";
         HintValue { r: u8, values: String } "R{r} before the block: {values}", "R{r} před blokem: {values}";
         OneCall "1 call", "volání: 1";
+        CallUnseen "called by a parameter or a fixed cycle", "volá ho parametr nebo pevný cyklus";
         Calls { count: usize } "{count} calls", "volání: {count}";
         BlockTime "time", "doba";
         Velocities "velocity at the start / greatest / at the end", "rychlost na začátku / největší / na konci";

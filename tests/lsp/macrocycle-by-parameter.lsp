@@ -38,3 +38,31 @@ null
     }
   }
 }
+=== request textDocument/codeLens L1
+=== answer
+[
+  {
+    "command": {
+      "arguments": [
+        "DIR/L1",
+        {
+          "character": 4,
+          "line": 0
+        },
+        []
+      ],
+      "command": "cnc872c.showReferences",
+      "title": "called by a parameter or a fixed cycle"
+    },
+    "range": {
+      "end": {
+        "character": 7,
+        "line": 0
+      },
+      "start": {
+        "character": 4,
+        "line": 0
+      }
+    }
+  }
+]

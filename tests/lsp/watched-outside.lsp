@@ -25,13 +25,25 @@ N20 M30
             "globPattern": "**/cnc872c.toml"
           },
           {
+            "globPattern": "**/[lL][0-9]*"
+          },
+          {
             "globPattern": "**/*.[xX][mM][lL]"
           },
           {
-            "globPattern": "**/*.{nc,NC,ncp,NCP,mrc,MRC,mpf,MPF}"
+            "globPattern": "**/*.[mM][rR][cC]"
           },
           {
-            "globPattern": "**/[lL][0-9]*"
+            "globPattern": "**/*.[nN][cC]"
+          },
+          {
+            "globPattern": "**/*.[nN][cC][pP]"
+          },
+          {
+            "globPattern": "**/*.[mM][pP][fF]"
+          },
+          {
+            "globPattern": "**/*.[tT][xX][tT]"
           }
         ]
       }

@@ -32,7 +32,9 @@ for (const field of ['broken_by', 'limited_by', 'cap_by']) {
       const english = named(name);
       setLanguage('cs');
       const czech = named(name);
-      assert.ok(!english.includes('_') && !czech.includes('_') && english !== czech, `${name}: ${english}, ${czech}`);
+      // G00 is itself in every language.
+      const differ = english !== czech || english === 'G00';
+      assert.ok(!english.includes('_') && !czech.includes('_') && differ, `${name}: ${english}, ${czech}`);
     }
   });
 }
