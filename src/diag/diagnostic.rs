@@ -39,6 +39,14 @@ pub enum CallKind {
 }
 
 impl CallKind {
+    /// Whether what it calls is a macrocycle.
+    pub const fn is_macrocycle(self) -> bool {
+        match self {
+            Self::Subprogram => false,
+            Self::Macrocycle | Self::Cycle(_) => true,
+        }
+    }
+
     /// As the stream and the findings name it: `G71`, `G72`, `G81`–`G89`.
     pub const fn name(self) -> &'static str {
         match self {

@@ -53,17 +53,16 @@ fn add_usage<C>(page: &mut String, usage: &Usage<C>, names: &[String], function:
     let syntax =
         if names.iter().any(|name| usage.syntax.contains(name)) { with(usage.syntax) } else { function.into() };
     let _ = write!(page, "\n## {}\n\n```\n{syntax}\n```\n", pick(lang, "Syntax", "Zápis"));
-    for (at, note) in usage.notes.iter().enumerate() {
-        if at == 0 {
-            page.push('\n');
-        }
+    if !usage.notes.is_empty() {
+        page.push('\n');
+    }
+    for note in usage.notes {
+        let mut note = note.get(lang).to_owned();
         // The key of a cycle.
-        let note = note.get(lang);
-        let key = names.iter().find(|name| note.contains(&format!("`{name} = ")));
-        bullet(
-            page,
-            &key.map_or_else(|| note.to_owned(), |key| note.replace(&format!("`{key} = "), &format!("`{function} = "))),
-        );
+        for name in names {
+            note = note.replace(&format!("`{name} = "), &format!("`{function} = "));
+        }
+        bullet(page, &note);
     }
     let _ = write!(page, "\n## {}\n", pick(lang, "Example", "Příklad"));
     if !usage.project.is_empty() {

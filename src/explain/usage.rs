@@ -202,23 +202,6 @@ const HELIX: &[Bilingual] = &[
     note("They hold until G98, G23 or G24", "Platí do G98, G23 nebo G24"),
 ];
 
-const SUBPROGRAM: &[Bilingual] = &[
-    note(
-        "A subprogram begins with a block that holds its number, G79, L and nothing else, and ends with the \
-         first block that holds G70; that block may do more",
-        "Podprogram začíná blokem, ve kterém je jen jeho číslo, G79 a L, a končí prvním blokem s G70; ten \
-         může dělat i něco dalšího",
-    ),
-    note(
-        "It comes after M02 or M30, in the file of its program; a macrocycle is one such unit in a file of \
-        its own",
-        "Je za M02 nebo M30 v souboru svého programu; makrocyklus je jeden takový celek ve vlastním souboru",
-    ),
-];
-
-const SUBPROGRAM_EXAMPLE: &str =
-    "N10 G90 G00 X0 Y0\nN20 G71 L100\nN30 M30\nN40 G79 L100\nN50 G91 G01 X5 F200\nN60 G90 G70";
-
 /// The comments of the examples; in Czech without diacritics, as in programs.
 pub(super) const COMMENTS: &[Bilingual] = &[
     note("half a second", "pul sekundy"),
@@ -378,8 +361,24 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
     usage(&[G95], "G95 S… F…", "N10 G95 S800 M03\nN20 G90 G01 X10 F0.2", FEED_MODE),
     usage(&[G96], "G96 S… F…", "N10 G96 S120 M03\nN20 G90 G01 X10 F200", FEED_MODE),
     usage(&[G97], "G97 S… F…", "N10 G97 S800 M03\nN20 G90 G00 X10", FEED_MODE),
-    usage(&[G70], "G79 L… … G70", SUBPROGRAM_EXAMPLE, SUBPROGRAM),
-    usage(&[G79], "G79 L… … G70", SUBPROGRAM_EXAMPLE, SUBPROGRAM),
+    usage(
+        &[G70, G79],
+        "G79 L… … G70",
+        "N10 G90 G00 X0 Y0\nN20 G71 L100\nN30 M30\nN40 G79 L100\nN50 G91 G01 X5 F200\nN60 G90 G70",
+        &[
+            note(
+                "A subprogram begins with a block that holds its number, G79, L and nothing else, and ends with the \
+         first block that holds G70; that block may do more",
+                "Podprogram začíná blokem, ve kterém je jen jeho číslo, G79 a L, a končí prvním blokem s G70; ten \
+         může dělat i něco dalšího",
+            ),
+            note(
+                "It comes after M02 or M30, in the file of its program; a macrocycle is one such unit in a file of \
+        its own",
+                "Je za M02 nebo M30 v souboru svého programu; makrocyklus je jeden takový celek ve vlastním souboru",
+            ),
+        ],
+    ),
     usage(
         &[G71],
         "G71 L… Q…",

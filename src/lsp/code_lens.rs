@@ -2,7 +2,6 @@
 //! change: what holds there.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use gen_lsp_types::{CodeLens, CodeLensParams, Command, Location as LspLocation, Uri};
 use serde_json::{Value, json};
@@ -19,7 +18,7 @@ use crate::query::shown::count;
 use crate::resolve::{Target, Unit, UnitId, UnitKind};
 use crate::session::Session;
 use crate::syntax::{BlockFlags, ParsedFile, Word};
-use crate::text::{FileId, Loader, Span};
+use crate::text::{FileId, Span};
 
 /// The command that shows what holds at a place: a URI, a position; the client has it.
 const STATE_HERE: &str = "cnc872c.stateHere";
@@ -128,7 +127,7 @@ fn callers_of_macrocycle(snapshot: &Snapshot, analysis: &Analysis) -> BTreeMap<U
     for program in &snapshot.analyses {
         let is_here = |unit: UnitId| {
             let file = program.resolved.unit(unit).and_then(|unit| program.resolved.file(unit.file));
-            file.is_some_and(|file| program.files.canonical(Path::new(file.source.name())) == analysis.path)
+            file.is_some_and(|file| program.is(file.source.name(), analysis))
         };
         found.extend(callers(snapshot, program).into_iter().filter(|(unit, _)| is_here(*unit)).flat_map(|(_, at)| at));
     }

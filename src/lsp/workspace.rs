@@ -80,9 +80,14 @@ fn is_taken(snapshot: &Snapshot, [l, new]: [u32; 2], target: &Path) -> bool {
         let settings = configuration(&path, &snapshot.files, &snapshot.client).0;
         let session = Session { loader: &snapshot.files, settings: &settings, progress: None };
         let mut library = session.library(&path);
-        library.find(l).is_ok_and(|found| snapshot.files.canonical(&found) == target)
+        leads_to(snapshot, &mut library, l, target)
             && !matches!(library.find(new), Err(MacrocycleFault::Missing { .. }))
     })
+}
+
+/// Whether macrocycle `l` is the file at `target` there.
+fn leads_to(snapshot: &Snapshot, library: &mut Library<'_>, l: u32, target: &Path) -> bool {
+    library.find(l).is_ok_and(|found| snapshot.files.canonical(&found) == target)
 }
 
 fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, number]: [u32; 2], target: &Path) -> Option<Named> {
@@ -95,11 +100,7 @@ fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, number]: [u3
         return None;
     }
     let session = Session { loader: &snapshot.files, settings, progress: None };
-    let leads_there = path == target || {
-        let mut library = session.library(path);
-        library.find(l).is_ok_and(|found| snapshot.files.canonical(&found) == target)
-    };
-    if !leads_there {
+    if path != target && !leads_to(snapshot, &mut session.library(path), l, target) {
         return None;
     }
     let form = if own.is_some() { Form::Macrocycle } else { Form::Program };

@@ -44,11 +44,15 @@ impl Analysis {
         self.record.get().map_or(&self.sources, Record::sources)
     }
 
+    /// Whether `name`, in its program, is another document.
+    pub(crate) fn is(&self, name: &str, document: &Self) -> bool {
+        self.loader.canonical(Path::new(name)) == document.path
+    }
+
     /// Whether its execution, once it is over, has loaded the file of another document.
     pub(crate) fn has_executed(&self, document: &Self) -> bool {
-        let is_it = |name: &str| self.loader.canonical(Path::new(name)) == document.path;
-        self.path != document.path
-            && self.record.get().is_some_and(|record| record.sources().iter().any(|(_, source)| is_it(source.name())))
+        let mut loaded = self.record.get().into_iter().flat_map(|record| record.sources().iter());
+        self.path != document.path && loaded.any(|(_, source)| self.is(source.name(), document))
     }
 
     /// Executes the program and shows every block to a sink.

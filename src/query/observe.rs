@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
-use std::path::Path;
 
 use super::analysis::Analysis;
 use super::cancel::Cancel;
@@ -129,7 +128,7 @@ pub(crate) fn executing<'a>(
         if is_cycle_of(other, analysis) {
             return true;
         }
-        let source = other.all_sources().iter().find(|(_, source)| is(other, source.name(), analysis));
+        let source = other.all_sources().iter().find(|(_, source)| other.is(source.name(), analysis));
         source.is_some_and(|(_, source)| {
             analysis.resolved.file(DOCUMENT).is_some_and(|file| file.source.text() == source.text())
         })
@@ -144,11 +143,6 @@ fn is_cycle_of(program: &Analysis, document: &Analysis) -> bool {
         let found = program.session().library(&program.path).find(*l);
         found.is_ok_and(|path| program.loader.canonical(&path) == document.path)
     })
-}
-
-/// Whether `name`, in the program of an analysis, is the document.
-pub(super) fn is(other: &Analysis, name: &str, document: &Analysis) -> bool {
-    other.loader.canonical(Path::new(name)) == document.path
 }
 
 /// Executes `program` and looks at `blocks` of the document. `None` when the answer is not wanted any more.
@@ -297,7 +291,7 @@ impl<'a> Observer<'a> {
         let mut left = self.limits.executed;
         for (index, (_, source)) in record.sources().iter().enumerate() {
             let file = FileId(small(index));
-            if !is(self.program, source.name(), self.document) {
+            if !self.program.is(source.name(), self.document) {
                 continue;
             }
             self.only = Some(file);
@@ -377,7 +371,7 @@ impl<'a> Observer<'a> {
         if let Some(Some(known)) = self.files.get(place) {
             return *known;
         }
-        let answer = is(self.program, executed.file_name(), self.document);
+        let answer = self.program.is(executed.file_name(), self.document);
         if self.files.len() <= place {
             self.files.resize(place + 1, None);
         }

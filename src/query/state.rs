@@ -2,7 +2,7 @@
 
 use super::analysis::Analysis;
 use super::cancel::Cancel;
-use super::observe::{MOST, is};
+use super::observe::MOST;
 use crate::analysis::state::{Arrival, Found, Index, Indexer};
 use crate::config::Purpose;
 use crate::resolve::Resolved;
@@ -66,7 +66,7 @@ impl Indexed {
     /// The executions of a block of the document.
     pub(crate) fn executions(&self, program: &Analysis, document: &Analysis, block: BlockId) -> Executions {
         let cut = self.index.executed() >= MOST;
-        let file = self.sources.iter().position(|(_, source)| is(program, source.name(), document));
+        let file = self.sources.iter().position(|(_, source)| program.is(source.name(), document));
         let Some(file) = file.map(|at| FileId(small(at))) else { return Executions::Never(cut) };
         let seqs: Vec<u64> = self.index.executions(file, block).collect();
         match seqs.as_slice() {

@@ -481,15 +481,12 @@ fn left_out_notes(display: &mut Display, besides: &Besides) {
     if !besides.whole {
         notes.push("not the whole program".to_owned());
     }
-    match motions {
-        0 => {}
-        1 => notes.push("1 motion not drawn".to_owned()),
-        count => notes.push(format!("{count} motions not drawn")),
-    }
-    match stale {
-        0 => {}
-        1 => notes.push("1 motion from another origin".to_owned()),
-        count => notes.push(format!("{count} motions from another origin")),
+    for (count, what) in [(motions, "not drawn"), (stale, "from another origin")] {
+        match count {
+            0 => {}
+            1 => notes.push(format!("1 motion {what}")),
+            count => notes.push(format!("{count} motions {what}")),
+        }
     }
     if red > 0 {
         notes.push(format!("{red} red dots not drawn"));

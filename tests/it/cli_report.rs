@@ -14,6 +14,16 @@ fn place() -> Place {
     Place::with(&[("a.nc", PROGRAM.as_bytes()), ("L9", macrocycle.as_bytes()), ("bad.nc", BAD.as_bytes())])
 }
 
+/// The sheet of a program, as its schema has it.
+fn valid_sheet(place: &Place, file: &str, program: &str) -> Value {
+    place.put(file, format!("%1\n{program}"));
+    let run = place.run(&["report", file, "--format", "json"]).ends(0);
+    let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
+    let validator = validator_for(&cnc872c::analysis::sheet::schema());
+    assert_eq!(validator.validate(&sheet), Ok(()));
+    sheet
+}
+
 #[test]
 fn json() {
     let place = place();
@@ -53,14 +63,7 @@ fn json() {
 #[test]
 fn unknown_paths() {
     let place = place();
-    let sheet = |program: &str| -> Value {
-        place.put("path.nc", format!("%1\n{program}"));
-        let run = place.run(&["report", "path.nc", "--format", "json"]).ends(0);
-        let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
-        let validator = validator_for(&cnc872c::analysis::sheet::schema());
-        assert_eq!(validator.validate(&sheet), Ok(()));
-        sheet
-    };
+    let sheet = |program: &str| valid_sheet(&place, "path.nc", program);
     let text = || place.run(&["report", "path.nc", "--lang", "en"]).ends(0).stdout;
     let unknown = sheet("N1 G00 X0 Y0\nN2 G01 F100 M06 T3\nN3 G54 X5\nN4 G55 X9\nN5 M30\n");
     let tool = &unknown["tools"][1];
@@ -139,14 +142,7 @@ fn what_the_sheet_counts() {
 #[test]
 fn unknown_extents() {
     let place = place();
-    let extents = |program: &str| -> Value {
-        place.put("reach.nc", format!("%1\n{program}"));
-        let sheet: Value =
-            serde_json::from_str(&place.run(&["report", "reach.nc", "--format", "json"]).ends(0).stdout).unwrap();
-        let validator = validator_for(&cnc872c::analysis::sheet::schema());
-        assert_eq!(validator.validate(&sheet), Ok(()));
-        sheet
-    };
+    let extents = |program: &str| valid_sheet(&place, "reach.nc", program);
     let cycle =
         "N1 G90 G0 X0 Y0 Z5 F100 S900 M3 T1 M6\nN2 G81 X50 Y40 Z-30\nN3 X80 Y90\nN4 G80\nN5 G1 X10 Y10\nN6 M30\n";
     let sheet = extents(cycle);
@@ -186,14 +182,7 @@ fn unknown_extents() {
 #[test]
 fn what_is_known_in_part() {
     let place = place();
-    let sheet = |program: &str| -> Value {
-        place.put("part.nc", format!("%1\n{program}"));
-        let run = place.run(&["report", "part.nc", "--format", "json"]).ends(0);
-        let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
-        let validator = validator_for(&cnc872c::analysis::sheet::schema());
-        assert_eq!(validator.validate(&sheet), Ok(()));
-        sheet
-    };
+    let sheet = |program: &str| valid_sheet(&place, "part.nc", program);
     let origin = sheet("N1 G90 G54 G0 X0 Y0 Z5 T1 M6\nN2 S9 M3 F100\nN3 G1 Z-1\nN4 G55\nN5 X50\nN6 Y50\nN7 M30\n");
     for part in ["working", "all"] {
         assert_eq!(origin["extents"][part]["lower_bound_axes"], json!(["X", "Y", "Z"]), "{origin}");

@@ -2,7 +2,6 @@
 
 use std::fmt::{self, Display};
 
-use crate::diag::CallKind;
 use crate::run::Executed;
 
 /// A block: macrocycles have block numbers of their own.
@@ -17,11 +16,7 @@ pub struct BlockName {
 impl BlockName {
     /// The name of an executed block.
     pub(super) fn of(block: &Executed<'_>) -> Self {
-        let is_macrocycle = |by: CallKind| match by {
-            CallKind::Subprogram => false,
-            CallKind::Macrocycle | CallKind::Cycle(_) => true,
-        };
-        let l = block.calls().filter(|call| is_macrocycle(call.by)).last().map(|call| call.l);
+        let l = block.calls().filter(|call| call.by.is_macrocycle()).last().map(|call| call.l);
         Self { n: block.n(), l }
     }
 }

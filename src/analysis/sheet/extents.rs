@@ -48,8 +48,9 @@ impl Size {
             }
         }
         for letter in moved_unseen(block) {
-            working.lack(letter, BlockName::of(block));
-            all.lack(letter, BlockName::of(block));
+            let name = BlockName::of(block);
+            working.lack(letter, name);
+            all.lack(letter, name);
         }
     }
 

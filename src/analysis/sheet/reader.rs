@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::block_name::BlockName;
 use super::extents::{Extents, Size, moved_unseen};
-use crate::diag::{CallKind, Findings};
+use crate::diag::Findings;
 use crate::dict::{Address, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
 use crate::run::{End, Executed, FeedUnit, Motion, MotionType, Program, Sink};
 use crate::text::{FileId, Location};
@@ -154,12 +154,7 @@ impl SheetReader {
             if self.open.get(depth) != Some(&pass) {
                 self.open.truncate(depth);
                 self.open.push(pass);
-                let macrocycle = match call.by {
-                    CallKind::Subprogram => false,
-                    CallKind::Macrocycle | CallKind::Cycle(_) => true,
-                };
-                let units = &mut self.sheet.units;
-                count_runs(units, call.l, macrocycle, 1);
+                count_runs(&mut self.sheet.units, call.l, call.by.is_macrocycle(), 1);
             }
             depth += 1;
         }
@@ -208,8 +203,9 @@ impl SheetReader {
         if letters.is_empty() {
             return;
         }
+        let name = BlockName::of(block);
         if let Some(tool) = self.tool(block) {
-            letters.iter().for_each(|letter| tool.extents.lack(*letter, BlockName::of(block)));
+            letters.iter().for_each(|letter| tool.extents.lack(*letter, name));
             tool.working.lacks = true;
             tool.rapid.lacks = true;
             tool.cuts(block);

@@ -20,7 +20,7 @@ pub(super) fn items(file: &ParsedFile) -> impl Iterator<Item = Span> + '_ {
     })
 }
 
-/// The places of the `N` and the words of a block. What could not be read may stand for several words at one place.
+/// The places of the `N` and the words of a block, each once: a letter that is no address is several words.
 pub(super) fn places(file: &ParsedFile, block: BlockId) -> impl Iterator<Item = Span> + '_ {
     let words = file.n_word(block).into_iter().chain(file.words(block).iter().copied());
     let mut before = None;
