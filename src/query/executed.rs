@@ -4,7 +4,8 @@ use super::analysis::Analysis;
 use super::hover_texts::Said;
 use super::meaning::{Subject, file_name};
 use super::moves::{JoinedBy, Moved};
-use super::observe::{Observation, Observed};
+use super::observe::Observation;
+use super::observed::Observed;
 use super::page::Page;
 use super::shown::{count, rounded, speed_unit};
 use super::values::Values;
@@ -45,6 +46,10 @@ impl Subject<'_> {
             self.state(page, program, observed);
             if let Some(moved) = observation.moves.as_ref().and_then(|seen| seen.blocks.get(&block)) {
                 self.moved(page, moved);
+            }
+            if observation.unplanned {
+                let command = page.code("cnc872c motion");
+                page.item(&Said::BlockTime.text(self.lang), &Said::Unplanned { command }.text(self.lang));
             }
         }
     }

@@ -102,6 +102,9 @@ bilingual! {
         Calls { count: usize } "{count} calls", "volání: {count}";
         BlockTime "time", "doba";
         Velocities "velocity at the start / greatest / at the end", "rychlost na začátku / největší / na konci";
+        Unplanned { command: String }
+            "the program is too long to plan its motion here; see {command}",
+            "program je příliš dlouhý, jeho pohyb se zde nepočítá; viz {command}";
         JointBefore "joint with the motion before", "napojení na předchozí pohyb";
         JointStops { reason: String } "stop: {reason}", "zastavení: {reason}";
         JointLimited { limit: String } "limited by: {limit}", "omezuje: {limit}";

@@ -14,6 +14,7 @@ pub(crate) mod moves;
 pub(crate) mod names;
 pub(crate) mod navigation_texts;
 pub(crate) mod observe;
+pub(crate) mod observed;
 pub(crate) mod page;
 pub(crate) mod reach;
 pub(crate) mod rename_doubts;

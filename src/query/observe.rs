@@ -7,13 +7,13 @@ use super::analysis::Analysis;
 use super::cancel::Cancel;
 use super::cursor::DOCUMENT;
 use super::moves::{Moves, Seen};
+use super::observed::Observed;
 use super::values::Values;
-use crate::analysis::plc::WordsRead;
 use crate::config::Machine;
 use crate::diag::Findings;
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro};
+use crate::dict::{Address, Decimal, GCode, Micro};
 use crate::resolve::{ControlWord, Library, control_word};
-use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Passed, Sink};
+use crate::run::{End, Executed, Length, Passed, Sink};
 use crate::session::{Record, Session};
 use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
@@ -24,63 +24,16 @@ pub(crate) const MOST: u64 = 2_000_000;
 /// For a request that somebody waits for at the pointer, beside others: most blocks that are executed, and most that
 /// are looked at one by one.
 const SOON: Limits = Limits { executed: 1 << 19, looked_at: 1 << 15 };
+/// The same where its motion is planned: most blocks that the program executes.
+const PLANNED_SOON: u64 = 1 << 16;
 /// Blocks looked at between two questions whether the answer is still wanted.
 const PERIOD: u64 = 1 << 12;
-
-/// Different things that the PLC reads in one block, as many as are kept.
-const READS: usize = 4;
 
 /// How much of a program is executed for a request.
 #[derive(Clone, Copy)]
 struct Limits {
     executed: u64,
     looked_at: u64,
-}
-
-/// What was seen of one block.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Observed {
-    /// How often it was executed.
-    pub(crate) runs: u64,
-    /// How often its jump was taken.
-    pub(crate) jumps: u64,
-    /// How often the jump was taken each time that its counter was armed (FLW-4).
-    pub(crate) taken: Values<u64>,
-    /// Jumps since the counter was armed, and what it held after the last; `None`: it is not armed.
-    armed: Option<(u64, u32)>,
-    /// After the block, by letter.
-    pub(crate) positions: [Values<Micro>; AxisLetter::ALL.len()],
-    /// Whether programs write twice the position of X (G74).
-    pub(crate) diameters: Values<bool>,
-    /// In the block, by group.
-    pub(crate) g: [Values<u8>; GGroup::ALL.len()],
-    /// After the block, by group.
-    pub(crate) m: [Values<u8>; M_GROUPS],
-    /// Of its motions; unknown ones too.
-    pub(crate) length_mm: Values<Micro>,
-    /// Of motions of rotary axes only.
-    pub(crate) length_deg: Values<Micro>,
-    pub(crate) feed: Values<Decimal>,
-    pub(crate) feed_unit: Values<FeedUnit>,
-    pub(crate) speed: Values<Decimal>,
-    /// Whether the speed is a constant cutting speed.
-    pub(crate) cuts: Values<bool>,
-    pub(crate) tool: Values<Decimal>,
-    pub(crate) h: Values<Decimal>,
-    pub(crate) p: Values<Decimal>,
-    pub(crate) d: Values<Decimal>,
-    pub(crate) correction: Values<u16>,
-    pub(crate) dwell_s: Values<Micro>,
-    /// Parameters that the block reads: their values before it.
-    pub(crate) reads: BTreeMap<u8, Values<Decimal>>,
-    /// Parameters that it writes: their values after it.
-    pub(crate) writes: BTreeMap<u8, Values<Decimal>>,
-    /// Parameters that the called unit takes: their values when it begins.
-    pub(crate) inputs: BTreeMap<u8, Values<Decimal>>,
-    /// The PLC's reading of its M, H, T and S words: the first few different ones, on request.
-    pub(crate) plc: Vec<WordsRead>,
-    /// There are more.
-    pub(crate) more_plc: bool,
 }
 
 /// One execution, with what was seen of some blocks.
@@ -101,6 +54,8 @@ pub(crate) struct Observation {
     pub(crate) last: u32,
     /// How the machine moves, where that is asked for and configured, and the program ended.
     pub(crate) moves: Option<Seen>,
+    /// That was left out because the program is long.
+    pub(crate) unplanned: bool,
     /// The program was not executed further because it is long.
     pub(crate) cut: bool,
 }
@@ -182,10 +137,14 @@ pub(crate) fn observe_motion(
     let mut observer = Observer::new(cancel, program, document, blocks);
     observer.watch(inputs);
     observer.plc = true;
-    if program.settings.machine.motion.configured {
+    let waited_for = !observer.observation.blocks.is_empty();
+    let planned = program.settings.machine.motion.configured;
+    let long = waited_for && program.record.get().is_some_and(|record| record.executed() > PLANNED_SOON);
+    observer.observation.unplanned = planned && long;
+    if planned && !long {
         observer.moves = Some(Moves::new(&program.settings, units.len()));
         observer.units = units.to_vec();
-    } else if !observer.observation.blocks.is_empty() {
+    } else if waited_for {
         observer.limits = SOON;
     }
     run(cancel, program, observer)
@@ -408,91 +367,6 @@ impl Sink for &mut Observer<'_> {
     fn end(self, _: End, _: &mut Findings) {}
 }
 
-impl Observed {
-    fn take(&mut self, executed: &Executed<'_>, machine: &Machine) {
-        self.runs += 1;
-        self.take_jump(executed.jump());
-        for (letter, values) in AxisLetter::ALL.into_iter().zip(&mut self.positions) {
-            if machine.axes.index(letter).is_some() {
-                values.add(executed.position(letter));
-            }
-        }
-        self.diameters.add(Some(executed.state().g_in_force(GGroup::G10) == Some(GCode::G74)));
-        for (values, group) in self.g.iter_mut().zip(GGroup::ALL) {
-            values.add(executed.g(group).map(GCode::number));
-        }
-        for (group, values) in self.m.iter_mut().enumerate() {
-            values.add(executed.m(group));
-        }
-        if let Some(motion) = executed.motion() {
-            match motion.length() {
-                Length::Deg(length) => self.length_deg.add(Some(length)),
-                Length::Missing(Missing::Reference) => {}
-                Length::Mm(length) => self.length_mm.add(Some(length)),
-                Length::Missing(Missing::Start | Missing::Origin) => self.length_mm.add(None),
-            }
-        }
-        self.feed_unit.add(Some(executed.feed_unit()));
-        self.feed.add(executed.feed().map(|feed| feed.value));
-        self.speed.add(executed.s());
-        self.cuts.add(Some(executed.const_cut_speed()));
-        self.tool.add(executed.t());
-        self.h.add(executed.h());
-        self.p.add(executed.p());
-        self.d.add(executed.d());
-        self.correction.add(executed.length_correction());
-        if executed.dwell().is_some() {
-            self.dwell_s.add(executed.dwell());
-        }
-    }
-
-    /// Takes what the PLC reads of the words.
-    fn take_words(&mut self, executed: &Executed<'_>) {
-        let written = |address| executed.written(address);
-        if executed.m_written().is_empty() && ![Address::H, Address::T, Address::S].into_iter().any(written) {
-            return;
-        }
-        let read = WordsRead::of(executed);
-        if self.plc.contains(&read) {
-            return;
-        }
-        if self.plc.len() < READS {
-            self.plc.push(read);
-        } else {
-            self.more_plc = true;
-        }
-    }
-
-    /// Follows the counter: armed at an arrival, lowered at each, disarmed where execution falls through.
-    fn take_jump(&mut self, jump: Option<Jump>) {
-        self.jumps += u64::from(jump.is_some());
-        let left = jump.and_then(|jump| jump.left);
-        match (self.armed, left) {
-            // Lowered by one since the last arrival: the same counter.
-            (Some((jumps, before)), Some(left)) if left.checked_add(1) == Some(before) => {
-                self.armed = Some((jumps + 1, left));
-            }
-            // Armed; before that, the unit may have been left with the counter armed.
-            (_, Some(left)) => {
-                self.disarm();
-                self.armed = Some((1, left));
-            }
-            (Some((_, 0)), None) => self.disarm(),
-            // Armed with nothing to count, and disarmed.
-            (_, None) => {
-                self.disarm();
-                self.taken.add(Some(0));
-            }
-        }
-    }
-
-    fn disarm(&mut self) {
-        if let Some((jumps, _)) = self.armed.take() {
-            self.taken.add(Some(jumps));
-        }
-    }
-}
-
 /// The G functions that a block writes out.
 pub(crate) fn g_functions(file: &ParsedFile, block: BlockId) -> impl Iterator<Item = (GCode, Word)> + '_ {
     file.words(block).iter().filter_map(|word| Some((word.g_code()?, *word)))
@@ -524,15 +398,6 @@ mod tests {
     use super::*;
     use crate::config::Settings;
     use crate::text::MemoryLoader;
-
-    fn taken(arrivals: &[Option<u32>]) -> String {
-        let mut observed = Observed::default();
-        for left in arrivals {
-            observed.take_jump(left.map(|left| Jump { to: 1, left: Some(left) }));
-        }
-        observed.disarm();
-        observed.taken.list(|value| value)
-    }
 
     /// A program whose execution has more blocks than stand between checkpoints, with a part that is executed often,
     /// one that is seldom, and a macrocycle that only execution finds.
@@ -610,6 +475,20 @@ mod tests {
         }
     }
 
+    /// The motion of a long program is not planned for a note at a block; for the program it is.
+    #[test]
+    fn a_plan_of_a_long_program() {
+        for (jumps, long) in [("Q99", false), ("Q9999\nN5 G73 L2 Q2", true)] {
+            let text = format!("%1\nN1 G01 F100 X0\nN2 X5\nN3 X7\nN4 G73 L2 {jumps}\nN6 M30\n");
+            let mut analysis = recorded(MemoryLoader::new().with("part.nc", text)).unwrap();
+            analysis.settings.machine.motion.configured = true;
+            for (block, left_out) in [(Some(BlockId(1)), long), (None, false)] {
+                let seen = observe_motion(&Cancel::default(), &analysis, &analysis, block, &[], &[]).unwrap();
+                assert_eq!((seen.unplanned, seen.moves.is_some()), (left_out, !left_out), "{jumps} {block:?}");
+            }
+        }
+    }
+
     /// What is seen of a block.
     fn seen(program: &Analysis, block: BlockId) -> String {
         let seen = observe_inputs(&Cancel::default(), program, program, block, &[1, 3]).unwrap();
@@ -628,17 +507,5 @@ mod tests {
             record: Arc::default(),
             state: Arc::default(),
         }
-    }
-
-    /// FLW-4: one row of jumps for each time that the counter is armed.
-    #[test]
-    fn counters() {
-        assert_eq!(taken(&[Some(2), Some(1), Some(0), None]), "3");
-        assert_eq!(taken(&[Some(0), None, Some(1), Some(0), None]), "1, 2");
-        // Left by another jump, then reached anew.
-        assert_eq!(taken(&[Some(2), Some(1), Some(2), Some(1), Some(0), None]), "2, 3");
-        // Forward: not reached again.
-        assert_eq!(taken(&[Some(0)]), "1");
-        assert_eq!(taken(&[None]), "0");
     }
 }
