@@ -105,7 +105,7 @@ pub enum Certain {
     Quotes,
     /// A typographic minus before a number.
     Minus,
-    /// A blank that is none of ASCII.
+    /// A blank that is none of ASCII, between two words.
     Blank,
     /// UTF-16 without an error in it.
     Utf16,

@@ -146,10 +146,16 @@ impl Offers<'_> {
             let bounds = [BlockFlags::ENTRY, BlockFlags::END].into_iter().any(|flag| flags.has(flag)) && copied;
             let free = self.free_behind(file, before).filter(|_| !bounds);
             let renumber = free.map(|free| write(file, at, format!("N{free}")));
+            // Where the first one stands in a gap of the steps, its number is the wrong one.
+            let first = place.and_then(|place| file.block_at(place.start)?.0.checked_sub(1));
+            let gap = first.and_then(|before| self.free_behind(file, BlockId(before)));
+            let odd = free.is_some_and(|free| free % STEP != 0);
+            let gap = gap.filter(|gap| odd && *gap < number && *gap % STEP == 0).zip(place);
+            let renumber_first = gap.map(|(gap, place)| write(file, place, format!("N{gap}")));
             let whole = || whole_lines(file.source.text(), Span::new(at.start, words_end(file, block)));
             let copy = if copied { whole() } else { None };
             let delete = copy.map(|copy| offer(FixTitle::DeleteBlock { block: number }, file, copy, ""));
-            return Some(delete.into_iter().chain(renumber).flatten().collect());
+            return Some(delete.into_iter().chain(renumber_first).chain(renumber).flatten().collect());
         }
         if let Finding::MacrocycleNumberMismatch { expected, found, .. } = found.finding {
             let ends = || file.block_ids().any(|block| file.flags(block).has(BlockFlags::RETURN));

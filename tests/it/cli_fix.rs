@@ -75,7 +75,7 @@ fn a_folder_is_fixed_with_its_macrocycles() {
 /// diagnostics.md, "Fixes": what is certain is in the list, everything else is left as it is.
 #[test]
 fn only_what_is_certain_is_applied() {
-    let lines: [(&str, &str); 58] = [
+    let lines: [(&str, &str); 62] = [
         // A decimal comma, not where another number may have been meant.
         ("X10,5", "X10.5"),
         ("XO,5", "XO,5"),
@@ -126,6 +126,11 @@ fn only_what_is_certain_is_applied() {
         ("X\u{2212}5", "X-5"),
         ("R1=\u{2212}5", "R1=-5"),
         ("X5\u{a0}Y5", "X5 Y5"),
+        ("X5\u{a0}\u{a0}Y5\u{a0}\"kapsa\"", "X5 Y5 \"kapsa\""),
+        // One that stands in place of a sign or a digit.
+        ("Z\u{a0}1.5", "Z\u{a0}1.5"),
+        ("X5\u{a0} Z5", "X5\u{a0} Z5"),
+        ("X5\u{a0}", "X5\u{a0}"),
         // Comments without a word of a block.
         ("X5 (kapsa 20 mm)", "X5 \"kapsa 20 mm\""),
         ("X5 ; KUS 2", "X5 \"KUS 2\""),

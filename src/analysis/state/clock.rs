@@ -125,6 +125,9 @@ impl Clock {
     }
 }
 
+/// Times are shown to a millionth of a second.
+const HALF_MICRO_S: f64 = 0.5e-6;
+
 /// Looks for the block that is under way at a time.
 #[derive(Clone, Debug, Default)]
 struct Under {
@@ -136,7 +139,8 @@ struct Under {
 impl Listener for Under {
     fn block(&mut self, block: &BlockTimes) {
         self.sum_s += block.duration_s;
-        if self.sum_s > self.at_s {
+        // A block whose end is shown as the time asked for is over.
+        if self.sum_s > self.at_s + HALF_MICRO_S {
             self.seq = self.seq.or(Some(block.seq));
         }
     }

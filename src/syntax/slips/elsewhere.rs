@@ -370,7 +370,10 @@ pub(super) fn garbled(around: &Around<'_>) -> Option<Diagnosis> {
         around.characters_as(span, written, |written| Meant::Variable { written })
     } else {
         let found = around.characters(span, Meant::inside(rest).with_word(&written));
-        found.with_fix(Certain::Minus, write(&written), around.place(span), written)
+        // A blank may be there in place of the sign or of a digit.
+        let certain = (!rest.contains(is_blank)).then_some(Certain::Minus);
+        let edit = Edit { at: around.place(span), text: written.clone() };
+        found.with_edits(certain, write(&written), vec![edit])
     };
     Some(Diagnosis::saying(1, found).with(word, span))
 }
@@ -411,7 +414,9 @@ pub(super) fn unknown(around: &Around<'_>) -> Option<Diagnosis> {
         let title = FixTitle::Delete { text: ";".to_owned() };
         Diagnosis::saying(1, found.with_offer(title, place, "")).debris()
     } else if blanks {
-        Diagnosis::saying(1, found.with_fix(Certain::Blank, FixTitle::PlainBlank, place, " ")).debris()
+        let certain = between_words(around, span).then_some(Certain::Blank);
+        let edit = Edit { at: place, text: " ".to_owned() };
+        Diagnosis::saying(1, found.with_edits(certain, FixTitle::PlainBlank, vec![edit])).debris()
     } else if minus && text.chars().count() == 1 {
         let signs = rest.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '.' | 'R' | 'r'));
         let found = if signs { found.with_fix(Certain::Minus, write("-"), place, "-") } else { found };
@@ -421,6 +426,19 @@ pub(super) fn unknown(around: &Around<'_>) -> Option<Diagnosis> {
     } else {
         lost_address(around, Diagnosis::saying(1, found).debris().junk(span), span)
     })
+}
+
+/// Whether a character stands where a blank does: directly between two words of a block that has blanks between others.
+/// Elsewhere it may be there in place of a character that is meant: the sign in `Z 1.5`, a digit in `X5  Y3`.
+fn between_words(around: &Around<'_>, span: Span) -> bool {
+    let near = || around.tokens.iter().skip(around.at.saturating_sub(4)).take(9);
+    let apart = near().zip(near().skip(1)).any(|(one, next)| one.end < next.start);
+    let blank = |token: &Token| token.start != span.start && around.slice(token.span()).chars().all(is_blank);
+    let others = apart || near().any(blank);
+    let before = around.text.get(..span.start as usize).and_then(|text| text.chars().next_back());
+    let behind = around.text.get(span.end as usize..).and_then(|text| text.chars().next());
+    let word_ends = before.is_some_and(|last| last.is_ascii_digit() || last == '"');
+    others && word_ends && behind.is_some_and(|first| first.is_ascii_alphabetic() || first == '"')
 }
 
 /// A sign or another letter with a number, in place of an address and its number: what it would have set.

@@ -84,6 +84,11 @@ impl<'t> Split<'t> {
             && self.rises(around, &format!("{}{}", self.number, self.text))
     }
 
+    /// Whether the first piece is a function with two digits: nothing goes on with it.
+    fn is_full_function(&self) -> bool {
+        matches!(self.address, Address::G | Address::M) && self.number.len() > 1
+    }
+
     /// The finding that the second piece is part of `loose`, which was meant as `written`, or goes on with the first.
     fn instead(&self, around: &Around<'_>, loose: Span, written: String) -> Diagnostic {
         // What is behind it would be left without a number, or without a function that takes it.
@@ -204,7 +209,12 @@ pub(super) fn address(around: &Around<'_>) -> Option<Diagnosis> {
     let written = missing.map(|address| format!("{address}{}", split.text)).unwrap_or_default();
     let (loose, shown_written) = (shown(split.text), shown(&written));
     let base_found = base.found.clone()?;
-    let joins = missing.is_none_or(|missing| split.may_join(around, missing));
+    let joins = match missing {
+        _ if split.is_full_function() => false,
+        Some(missing) => split.may_join(around, missing),
+        // Nothing goes on with a block number that fits.
+        None => whole || split.address != Address::N || !split.rises(around, split.number),
+    };
     let finding = if let Finding::SplitNumber { joined, .. } = &base_found.finding
         && (missing.is_some() || !dimensional && !whole)
     {

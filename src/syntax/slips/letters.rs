@@ -89,7 +89,7 @@ pub(super) fn letter_in_function(around: &Around<'_>) -> Option<Diagnosis> {
     Some(diagnosis.junk(letter.span()))
 }
 
-/// `LI00`, `X-Q5`, `R10=l2`: of an address without a value, the letter right behind it in place of a digit. Neither
+/// `LI00`, `X-Q5`, `R10=l2`, `Xq0`: of an address without a value, the letter right behind it in place of a digit. Neither
 /// word has a value.
 pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let alone = numbers::without_value(around)?;
@@ -115,6 +115,7 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let repeated = around.words.iter().filter(same).count() > 1;
     // A speed of its own, unless the block has another one.
     let digit = look_alike(letter).filter(|_| letter != b'S' || signed || repeated);
+    let digit = digit.or_else(|| key_below(letter).filter(|_| upper));
     let assigned = head.contains('=');
     let of_arc = letter == b'I' && !signed && !repeated && arc_in_force(around.text, behind.start);
     if of_arc || !(digit.is_some() || is_unlikely(letter) || signed || repeated || assigned) {
@@ -144,6 +145,13 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
         Some(second) => diagnosis.void(second, behind.span()),
         None => diagnosis.debris().junk(span.to(behind.span())),
     })
+}
+
+/// The digit above the key of a small letter: `Xq0`.
+fn key_below(letter: u8) -> Option<char> {
+    // The keys of `y` and `z` are exchanged on Czech keyboards.
+    let at = b"pqwertyuio".iter().position(|key| *key == if letter == b'z' { b'y' } else { letter })?;
+    char::from_digit(u32::try_from(at).ok()?, 10)
 }
 
 /// The digit whose key on a Czech keyboard has that letter, or `+`, without Shift.
