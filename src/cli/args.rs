@@ -82,7 +82,7 @@ pub(super) struct CheckArgs {
     pub paths: Vec<PathBuf>,
     #[arg(long)]
     pub fix: bool,
-    #[arg(long, conflicts_with = "fix")]
+    #[arg(long, conflicts_with_all = ["fix", "format"])]
     pub diff: bool,
     #[arg(long)]
     pub deny_warnings: bool,

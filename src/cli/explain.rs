@@ -21,7 +21,7 @@ pub(super) fn run(args: &ExplainArgs, locale: Locale) -> Result<Status, Failure>
     if args.names.is_empty() {
         out.write_all(list(locale.lang).as_bytes())?;
     }
-    let mut separator = "";
+    let mut shown = Vec::new();
     for name in &args.names {
         let text = match Topic::find(name) {
             Ok(topics) => {
@@ -40,8 +40,11 @@ pub(super) fn run(args: &ExplainArgs, locale: Locale) -> Result<Status, Failure>
                 }
             },
         };
-        writeln!(out, "{separator}{}", text.trim_end())?;
-        separator = "\n";
+        shown.push(format!("{}\n", text.trim_end()));
+    }
+    // Of wrong usage nothing is on standard output.
+    if status == Status::Fine {
+        out.write_all(shown.join("\n").as_bytes())?;
     }
     out.flush()?;
     Ok(status)

@@ -145,7 +145,8 @@ pub(super) fn run(
         print_beside(&shown, &report, locale);
         return Ok(Status::Unusable);
     }
-    let writes = args.diff || !args.check && found.targets.iter().any(|target| is_stdin(&target.path));
+    let shows = args.diff || args.check;
+    let writes = shows || found.targets.iter().any(|target| is_stdin(&target.path));
     let out = if writes { stdout()? } else { io::stdout().lock() };
     clean_up_when_interrupted(locale.lang);
     let mut rewriting = Rewriting {

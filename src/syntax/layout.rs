@@ -34,8 +34,9 @@ pub(super) fn report_utf16(file: FileId, source: &SourceText, findings: &mut Fin
     let at = |span: Span| Location { file, span };
     let text = source.text().get(source.first_offset() as usize..).sure();
     let diagnostic = Diagnostic::new(Finding::Utf16 {}, at(Span::empty(source.first_offset())));
-    // Where bytes are no character, the text would lose them.
-    findings.add(match source.is_exact() {
+    // Where bytes are no character, the text would lose them. With zeros in it the file is in UTF-32 or something else,
+    // and in UTF-8 it could pass for UTF-16 again.
+    findings.add(match source.is_exact() && !text.contains('\0') {
         true => diagnostic.with_fix(Certain::Utf16, FixTitle::Utf8, at(Span::new(0, source.len())), text),
         false => diagnostic,
     });

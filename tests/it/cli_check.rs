@@ -245,6 +245,10 @@ fn a_pattern_that_no_shell_expanded() {
     assert!(!run.stdout.contains("pattern"), "{run:?}");
     place.run(&["celo.nc"]).ends(2).says("cnc872c check celo.nc");
     place.run(&["check", "a.nc", "--fix", "--diff"]).ends(2).says("cannot be used with");
+    for format in ["short", "json", "sarif", "github"] {
+        let run = place.run(&["check", "a.nc", "--diff", "--format", format]).ends(2).says("cannot be used with");
+        assert_eq!(run.stdout, "");
+    }
 }
 
 /// diagnostics.md, "As JSON": which program found it, and in which files it looked.
@@ -299,6 +303,21 @@ fn broken_utf16_is_not_fixed() {
         let place = Place::with(&[("a.nc", bytes)]);
         place.run(&["check", "a.nc", "--fix"]).ends(if fixed { 0 } else { 1 });
         assert_eq!(place.read("a.nc") == *bytes, !fixed);
+    }
+}
+
+/// UTF-32 begins like UTF-16 or has no mark at all; what its zeros would become in UTF-8 could even pass for UTF-16.
+#[test]
+fn utf_32_is_not_fixed() {
+    let text = "%1 \"ž\"\r\nN10 G54\r\nN20 M30\r\n";
+    let wide = |text: &str, unit: fn(u32) -> [u8; 4]| text.chars().map(u32::from).flat_map(unit).collect::<Vec<u8>>();
+    for mark in ["\u{feff}", ""] {
+        for unit in [u32::to_le_bytes, u32::to_be_bytes] {
+            let bytes = wide(&format!("{mark}{text}"), unit);
+            let place = Place::with(&[("a.nc", &bytes)]);
+            place.run(&["check", "a.nc", "--fix"]).ends(1);
+            assert_eq!(place.read("a.nc"), bytes);
+        }
     }
 }
 

@@ -567,6 +567,10 @@ fn a_closed_standard_output() {
         run("1<> /dev/null", line).ends(0);
     }
     run(">&-", &["compile", "a.nc", "-o", "out"]).ends(0);
+    for command in ["format", "renumber"] {
+        run(">&-", &[command, "--check", "a.nc"]).ends(2).says("standard output is closed");
+        run(">&-", &[command, "a.nc"]).ends(0);
+    }
 }
 
 /// project-file.md: with `encoding = "utf-8"` other files are E0112, which names the byte.
