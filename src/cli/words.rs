@@ -330,7 +330,7 @@ pub const fn error_prefix(lang: Lang) -> &'static str {
 
 /// Why writing or reading failed, in the user's language where there is a text for it.
 pub fn reason(error: &io::Error, lang: Lang) -> String {
-    const TEXTS: [(io::ErrorKind, Bilingual); 7] = [
+    const TEXTS: [(io::ErrorKind, Bilingual); 5] = [
         (
             io::ErrorKind::AlreadyExists,
             Bilingual { en: "something else has this name", cs: "tento název už má něco jiného" },
@@ -338,15 +338,7 @@ pub fn reason(error: &io::Error, lang: Lang) -> String {
         (io::ErrorKind::StorageFull, Bilingual { en: "the disk is full", cs: "disk je plný" }),
         (io::ErrorKind::QuotaExceeded, Bilingual { en: "the disk quota is used up", cs: "disková kvóta je vyčerpána" }),
         (io::ErrorKind::ReadOnlyFilesystem, Bilingual { en: "the disk is read-only", cs: "disk je jen pro čtení" }),
-        (
-            io::ErrorKind::InvalidFilename,
-            Bilingual { en: "no file can have this name", cs: "takový název soubor mít nemůže" },
-        ),
         (io::ErrorKind::FileTooLarge, Bilingual { en: "it is too large", cs: "soubor je příliš velký" }),
-        (
-            io::ErrorKind::NotADirectory,
-            Bilingual { en: "a file is named as a folder", cs: "soubor je zde uveden jako složka" },
-        ),
     ];
     let text = TEXTS.iter().find(|(kind, _)| *kind == error.kind());
     text.map_or_else(|| Problem::from_io(error).text(lang), |(_, text)| text.get(lang).to_owned())

@@ -194,6 +194,14 @@ pub(super) fn is_exchanged(loose: &str) -> bool {
     number && loose.contains(|c: char| c.is_ascii_alphabetic()) && !loose.contains('=')
 }
 
+/// Words to write, one of those that ` / ` separates, each between quotes.
+pub(super) fn either(words: &str, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("`{}`", words.replace(" / ", "` or `")),
+        Lang::Cs => format!("„{}“", words.replace(" / ", "“ nebo „")),
+    }
+}
+
 bilingual! {
     /// What was probably meant by a name that is no address (E0301).
     AddressMeant {

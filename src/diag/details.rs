@@ -14,6 +14,8 @@ bilingual! {
             "soubor neexistuje; shell předal vzor tak, jak je: uvést soubory, nebo jejich složku";
         Denied "permission denied", "přístup odepřen";
         Directory "it is a folder", "je to složka";
+        FileAsFolder "a file is named as a folder", "soubor je zde uveden jako složka";
+        BadName "no file can have this name", "takový název soubor mít nemůže";
         NotAFile "it is not a regular file", "není to obyčejný soubor";
         Link "it is a link that leads to no file", "je to odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
@@ -41,6 +43,8 @@ impl Problem {
             (std::io::ErrorKind::NotFound, Self::NotFound),
             (std::io::ErrorKind::PermissionDenied, Self::Denied),
             (std::io::ErrorKind::IsADirectory, Self::Directory),
+            (std::io::ErrorKind::NotADirectory, Self::FileAsFolder),
+            (std::io::ErrorKind::InvalidFilename, Self::BadName),
             // The disk loader's error for pipes and devices.
             (std::io::ErrorKind::Unsupported, Self::NotAFile),
             (std::io::ErrorKind::FileTooLarge, Self::TooLarge),

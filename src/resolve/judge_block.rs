@@ -245,7 +245,9 @@ impl<'a> BlockJudge<'a> {
         functions.roles.check(flags.has(BlockFlags::END), |word, finding| {
             let unused_l = matches!(finding, Finding::UnusedTarget { .. });
             let unused_q = matches!(finding, Finding::UnusedRepeat {});
-            if (unused_l || unused_q) && !clear {
+            // `G+3 L30 Q2`: another function is meant.
+            let refused = |word: &Word| word.address == Address::G && self.is_refused(*word);
+            if (unused_l || unused_q) && (!clear || words.iter().any(refused)) {
                 return;
             }
             if let Finding::MissingTarget { function: function @ GCode::G71, meant } = finding {

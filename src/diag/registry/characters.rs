@@ -39,19 +39,24 @@ macro_rules! characters {
                 _ if is_exchanged(loose) => {
                     format!(
                         "the address stands before its number: `{written}` in place of `{loose}`; if only a blank is \
-                        too many, write `{joined}`"
+                        too many, write {}",
+                        either(joined, Lang::En)
                     )
                 }
                 (true, true, _) => "write the parameter or the number, not both".to_owned(),
                 (true, false, true) => format!("an address is missing before `{loose}`"),
                 (true, false, false) => format!("an address is missing before `{loose}`: `{written}`?"),
-                (_, true, _) => format!("write `{joined}`, or give the second number an address of its own"),
+                (_, true, _) => {
+                    format!("write {}, or give the second number an address of its own", either(joined, Lang::En))
+                }
                 (_, false, true) => format!(
-                    "an address is missing before `{loose}`; if it goes on with the number before it, write `{joined}`"
+                    "an address is missing before `{loose}`; if it goes on with the number before it, write {}",
+                    either(joined, Lang::En)
                 ),
                 (_, false, false) => format!(
                     "an address is missing before `{loose}`: `{written}`? If it goes on with the number before it, \
-                    write `{joined}`"
+                    write {}",
+                    either(joined, Lang::En)
                 ),
             })
                | (match (joined.is_empty(), loose.is_empty(), written.is_empty()) {
@@ -59,18 +64,22 @@ macro_rules! characters {
                        format!("adresa se píše před číslo: „{written}“ místo „{loose}“")
                    }
                    _ if is_exchanged(loose) => format!(
-                       "adresa se píše před číslo: „{written}“ místo „{loose}“; je-li navíc jen mezera, napsat \
-                       „{joined}“"
+                       "adresa se píše před číslo: „{written}“ místo „{loose}“; je-li navíc jen mezera, napsat {}",
+                       either(joined, Lang::Cs)
                    ),
                    (true, true, _) => "napsat buď parametr, nebo číslo".to_owned(),
                    (true, false, true) => format!("před {loose} chybí adresa"),
                    (true, false, false) => format!("před {loose} chybí adresa: „{written}“?"),
-                   (_, true, _) => format!("napsat „{joined}“, nebo druhému číslu doplnit adresu"),
-                   (_, false, true) => {
-                       format!("před {loose} chybí adresa; patří-li k předchozímu číslu, napsat „{joined}“")
+                   (_, true, _) => {
+                       format!("napsat {}, nebo druhému číslu doplnit adresu", either(joined, Lang::Cs))
                    }
+                   (_, false, true) => format!(
+                       "před {loose} chybí adresa; patří-li k předchozímu číslu, napsat {}",
+                       either(joined, Lang::Cs)
+                   ),
                    (_, false, false) => format!(
-                       "před {loose} chybí adresa: „{written}“? Patří-li k předchozímu číslu, napsat „{joined}“"
+                       "před {loose} chybí adresa: „{written}“? Patří-li k předchozímu číslu, napsat {}",
+                       either(joined, Lang::Cs)
                    ),
                })
             note (if is_exchanged(loose) {

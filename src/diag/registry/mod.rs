@@ -22,7 +22,7 @@ use settings::settings;
 use structure::structure;
 use words::words;
 
-use super::advice::{center_help, is_exchanged, is_value, unnumbered_line, unused_centers};
+use super::advice::{center_help, either, is_exchanged, is_value, unnumbered_line, unused_centers};
 use super::other_controls::foreign_g;
 use super::values::{control_digits, of_group, other_range, range_cs};
 use super::{
