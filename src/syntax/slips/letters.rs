@@ -89,8 +89,8 @@ pub(super) fn letter_in_function(around: &Around<'_>) -> Option<Diagnosis> {
     Some(diagnosis.junk(letter.span()))
 }
 
-/// `LI00`, `X-Q5`, `R10=l2`, `Xq0`: of an address without a value, the letter right behind it in place of a digit. Neither
-/// word has a value.
+/// `LI00`, `X-Q5`, `R10=l2`, `Xq0`: of an address without a value, the letter right behind it in place of a digit.
+/// Neither word has a value.
 pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let alone = numbers::without_value(around)?;
     let found = alone.found.as_ref()?;
