@@ -235,6 +235,8 @@ fn programs_that_are_no_files() {
         place.run(&["check", "--fix", file]).ends(2);
         place.run(&["compile", file, "-o", "out", "--lang", "cs"]).ends(2).says("je to odkaz");
     }
+    let run = place.run(&["check", "folder/x/y.nc", "--format", "short", "--lang", "cs"]).ends(2);
+    assert!(run.stdout.ends_with("soubor nelze přečíst: soubor je zde uveden jako složka\n"), "{run:?}");
     place.run(&["compile", "folder", "-o", "out"]).ends(2).says("it is a folder");
     place.run(&["check", "--fix", "folder"]).ends(2).says("no program found in folder");
     assert_eq!(place.read("out"), b"old");
