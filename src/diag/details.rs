@@ -1,6 +1,6 @@
 //! Closed sets of reasons that the texts of some diagnostics name, in both languages.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use crate::dict::{Address, GCode, Lang, bilingual};
 use crate::text::{BrokenLink, NotUtf8};
@@ -203,8 +203,8 @@ pub struct EarlyEnd {
 pub enum Unmodelled {
     /// G05 to G08, or a fixed cycle that nothing maps (GRP-6, GRP-8).
     Function(GCode),
-    /// Macrocycles that only the machine has, by number (FLW-12).
-    Macrocycles(BTreeSet<u32>),
+    /// Macrocycles that only the machine has, by number, and whether the project file names their axes (FLW-12).
+    Macrocycles(BTreeMap<u32, bool>),
 }
 
 impl Unmodelled {
@@ -214,7 +214,7 @@ impl Unmodelled {
             Self::Function(cycle) if cycle.is_cycle() => UnmodelledText::Cycle { cycle: cycle.to_string() },
             Self::Function(function) => UnmodelledText::Function { function: function.to_string() },
             Self::Macrocycles(numbers) => {
-                let list = numbers.iter().map(|l| format!("L{l}")).collect::<Vec<_>>().join(", ");
+                let list = numbers.keys().map(|l| format!("L{l}")).collect::<Vec<_>>().join(", ");
                 if numbers.len() == 1 {
                     UnmodelledText::Macrocycle { list }
                 } else {
@@ -231,8 +231,10 @@ impl Unmodelled {
             Self::Function(cycle) if cycle.is_cycle() => {
                 UnmodelledText::NameCycle { cycle: cycle.to_string() }.text(lang)
             }
-            Self::Function(_) => String::new(),
-            Self::Macrocycles(_) => UnmodelledText::NameAxes.text(lang),
+            Self::Macrocycles(numbers) if !numbers.values().all(|axes_named| *axes_named) => {
+                UnmodelledText::NameAxes.text(lang)
+            }
+            Self::Function(_) | Self::Macrocycles(_) => String::new(),
         }
     }
 }

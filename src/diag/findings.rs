@@ -32,6 +32,12 @@ struct Count {
     beyond: usize,
 }
 
+/// The macrocycles that a finding says only the machine has.
+const fn of_machine(finding: &mut Finding) -> Option<&mut BTreeMap<u32, bool>> {
+    let Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(numbers) } = finding else { return None };
+    Some(numbers)
+}
+
 impl Findings {
     /// None yet; codes have the levels of the registry.
     pub fn new() -> Self {
@@ -86,17 +92,11 @@ impl Findings {
     }
 
     /// Adds a macrocycle that only the machine has, at a call of it: one finding names all of a program (FLW-12).
-    pub fn add_of_machine(&mut self, l: u32, call: Diagnostic) {
-        let known = self.items.iter_mut().find_map(|found| {
-            let Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(numbers) } = &mut found.finding else {
-                return None;
-            };
-            Some(numbers)
-        });
-        match known {
-            Some(numbers) => _ = numbers.insert(l),
-            None => self.add(call),
-        }
+    pub fn add_of_machine(&mut self, call: Diagnostic) {
+        let known = self.items.iter_mut().find_map(|found| of_machine(&mut found.finding));
+        let Some(known) = known else { return self.add(call) };
+        let Diagnostic { mut finding, .. } = call;
+        known.extend(of_machine(&mut finding).map(std::mem::take).unwrap_or_default());
     }
 
     fn add_beyond(&mut self, key: (FileId, Code), beyond: usize) {

@@ -142,6 +142,13 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         let Some(names) = named_by(context, resolved, parsed.words(block)) else { return };
         named.extend(names);
     }
+    // A macrocycle cannot call one: where it does, it has E0404.
+    for macrocycle in resolved.files.iter().skip(1).map(|file| &file.parsed) {
+        let blocks = macrocycle.block_ids().filter(|block| macrocycle.flags(*block).has(BlockFlags::RICH));
+        let roles = blocks.map(|block| Roles::written(macrocycle.words(block)));
+        let calls = roles.filter(|roles| roles.flow().is_some_and(|(code, _)| code == GCode::G71));
+        named.extend(calls.filter_map(|roles| l_number(roles.l?)));
+    }
     for (&l, &UnitId(id)) in &resolved.subprograms {
         let Some(unit) = resolved.units.get(id as usize).filter(|_| !named.contains(&l)) else { continue };
         // Where other words stand beside the number, another one may be meant (E0208).

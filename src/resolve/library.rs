@@ -21,7 +21,10 @@ pub enum MacrocycleFault {
         near: Option<u32>,
     },
     /// No file of that number, and only the machine has it (FLW-12).
-    OfMachine,
+    OfMachine {
+        /// The project file says which axes it may move.
+        axes_named: bool,
+    },
     /// Two files of that number.
     Ambiguous {
         /// One.
@@ -84,9 +87,11 @@ impl<'a> Library<'a> {
     /// # Errors
     /// [`MacrocycleFault::Missing`], [`MacrocycleFault::OfMachine`] or [`MacrocycleFault::Ambiguous`].
     pub fn find(&mut self, l: u32) -> Result<PathBuf, MacrocycleFault> {
-        let of_machine = self.of_machine.is_some_and(|known| known.contains_key(&l));
+        let of_machine = self.of_machine.and_then(|known| known.get(&l));
         match self.index().get(&l).map(Vec::as_slice) {
-            None | Some([]) if of_machine => Err(MacrocycleFault::OfMachine),
+            None | Some([]) if let Some(may_move) = of_machine => {
+                Err(MacrocycleFault::OfMachine { axes_named: matches!(may_move, MayMove::Only(_)) })
+            }
             None | Some([]) => {
                 let name = |folder: &PathBuf| match path_name(folder) {
                     name if name.is_empty() => ".".to_owned(),
@@ -106,7 +111,7 @@ impl<'a> Library<'a> {
 
     /// Whether only the machine has macrocycle `l` (FLW-12).
     pub fn is_of_machine(&mut self, l: u32) -> bool {
-        matches!(self.find(l), Err(MacrocycleFault::OfMachine))
+        matches!(self.find(l), Err(MacrocycleFault::OfMachine { .. }))
     }
 
     /// The files that can be called, as a text: another text, another library.

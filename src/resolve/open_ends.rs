@@ -131,10 +131,10 @@ impl Context<'_, '_> {
         let mut missing: Vec<_> = missing.into_iter().collect();
         missing.sort_by_key(|(_, missing)| missing.at);
         for (l, Missing { at, fault, namesake, calls }) in missing {
-            let of_machine = fault == MacrocycleFault::OfMachine;
+            let of_machine = matches!(fault, MacrocycleFault::OfMachine { .. });
             let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, namesake, calls), at);
             if of_machine {
-                self.findings.add_of_machine(l, diagnostic);
+                self.findings.add_of_machine(diagnostic);
             } else {
                 self.findings.add(diagnostic);
             }

@@ -1,7 +1,7 @@
 //! Where calls and jumps lead, and the findings when they lead nowhere: the same for written numbers and for those that
 //! parameters give.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::units::entry_l;
 use super::{Known, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, l_number};
@@ -160,16 +160,13 @@ pub struct Namesake {
 pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, namesake: Namesake, calls: usize) -> Finding {
     let Namesake { subprogram, block } = namesake;
     match fault {
-        MacrocycleFault::OfMachine => of_machine(l),
+        MacrocycleFault::OfMachine { axes_named } => {
+            Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(BTreeMap::from([(l, axes_named)])) }
+        }
         MacrocycleFault::Missing { searched, near } => {
             Finding::UnknownMacrocycle { l, searched, subprogram, calls, near, block }
         }
         MacrocycleFault::Ambiguous { first, second } => Finding::DuplicateMacrocycle { l, first, second },
         MacrocycleFault::Unreadable { file, problem } => Finding::UnreadableFile { problem, file: Some(file) },
     }
-}
-
-/// W0612 of a macrocycle that only the machine has (FLW-12).
-fn of_machine(l: u32) -> Finding {
-    Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(BTreeSet::from([l])) }
 }

@@ -8,6 +8,7 @@ use super::program::Program;
 use super::site::{Site, call_sites, report};
 use super::state::State;
 use super::words::BlockWords;
+use crate::config::MayMove;
 use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, GGroup, Plane};
 use crate::resolve::{
@@ -206,7 +207,7 @@ impl Flow<'_, '_> {
     }
 
     fn no_macrocycle(&mut self, fault: MacrocycleFault, l: u32, place: Location, word: Option<Word>) -> Next {
-        if fault == MacrocycleFault::OfMachine {
+        if matches!(fault, MacrocycleFault::OfMachine { .. }) {
             return self.call_opaque(l, place, word);
         }
         if self.state.said.no_macrocycle.insert(l) && !self.is_said(l) {
@@ -228,11 +229,12 @@ impl Flow<'_, '_> {
         }
         self.block.opaque_call = Some(l);
         if self.state.said.of_machine.insert(l) {
-            let diagnostic =
-                Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, Namesake::default(), 1), place);
+            let axes_named = matches!(machine.macrocycles.get(&l), Some(MayMove::Only(_)));
+            let fault = MacrocycleFault::OfMachine { axes_named };
+            let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, Namesake::default(), 1), place);
             let mut diagnostic = self.with_origin_of(diagnostic, word);
             diagnostic.calls = call_sites(self.frames);
-            self.findings.add_of_machine(l, diagnostic);
+            self.findings.add_of_machine(diagnostic);
         }
         Next::Continue
     }

@@ -91,6 +91,15 @@ fn a_macrocycle_of_the_machine() {
     let en = ["`L3500 = {}`", "`[machine-macrocycles]`", "`-L`"];
     let cs = ["L3500 = {}", "[machine-macrocycles]", "-L"];
     assert_advice(Code::E0405, &Case { blocks: "N20 G72 L3500\n", en: &en, cs: &cs, ..Case::default() });
+    // `axes` is advised where one of them has none yet.
+    for (blocks, advised) in [("N20 G72 L3500\n", false), ("N20 G72 L3500\nN30 G72 L3600\n", true)] {
+        let config = "[machine-macrocycles]\nL3500 = { axes = [\"Z\"] }\nL3600 = {}\n";
+        let run = Case { blocks, config, ..Case::default() }.run();
+        assert_eq!(run.codes(), [Code::W0612], "{blocks}");
+        for lang in [Lang::En, Lang::Cs] {
+            assert_eq!(advice(&run, Code::W0612, lang).contains("axes"), advised, "{blocks}");
+        }
+    }
 }
 
 /// M30 where M03 was meant ends the program: the first block behind it says which block that is, and what was meant.

@@ -46,22 +46,27 @@ pub(super) struct Piece {
 pub(super) struct With {
     pub seq: u64,
     pub n: u32,
-    /// Working motion in G23, by the mode of its first block.
+    pub kind: MotionType,
+    /// Working motion in G23, by the mode of its first block (DOT-1).
     pub in_g23: bool,
-    /// G00.
-    pub rapid: bool,
-    /// The mode that its end waits by (TIM-1).
+    /// The mode of the block that the joint is behind, and that its end waits by (TIM-1).
     pub end_mode: Mode,
     pub length: Option<f64>,
     pub programmed: Option<f64>,
 }
 
+impl With {
+    /// Whether the block before the joint is a working motion in G23.
+    pub(super) fn ends_in_g23(self) -> bool {
+        self.kind.is_working() && self.end_mode == Mode::Continuous
+    }
+}
+
 impl Piece {
     /// Itself as the piece before another one.
     pub(super) fn as_with(&self) -> With {
-        let Self { seq, n, end_mode, length, programmed, .. } = *self;
-        let rapid = self.kind == MotionType::Rapid;
-        With { seq, n, in_g23: self.is_in_g23(), rapid, end_mode, length, programmed }
+        let Self { seq, n, kind, end_mode, length, programmed, .. } = *self;
+        With { seq, n, kind, in_g23: self.is_in_g23(), end_mode, length, programmed }
     }
 
     /// Working motion in G23, by the mode of its first block (DOT-1).

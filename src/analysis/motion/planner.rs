@@ -527,8 +527,9 @@ impl Planner {
             velocity,
             limited_by,
             dot: has_dot.then_some(if red { Dot::Red } else { Dot::Yellow }),
-            within_g23: with_in_g23 && piece.is_in_g23(),
-            beside_rapid: piece.kind == MotionType::Rapid || piece.with.is_some_and(|with| with.rapid),
+            within_g23: piece.with.is_some_and(|with| with.ends_in_g23()) && piece.is_in_g23(),
+            beside_rapid: piece.kind == MotionType::Rapid
+                || piece.with.is_some_and(|with| with.kind == MotionType::Rapid),
             cost_s: if has_dot && red { self.cost(piece, velocity) } else { 0.0 },
             feed_cap: caps.map_or(0.0, JointCaps::feed),
             no_room_to_stop: self.model.profile == Profile::Ramps && ends && short(),

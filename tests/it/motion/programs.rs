@@ -71,6 +71,19 @@ fn words_in_small_blocks() {
     assert_eq!(merged("N2 G23 G1 G91 X10 F1000\nN3 X0.003\nN4 X0.001\nN5 X10"), [false; 4]);
 }
 
+/// W0801: both blocks beside the joint are in G23, also where the piece before it begins in G24 (DOT-1 takes its mode
+/// from there).
+#[test]
+fn a_joint_is_in_g23_by_the_blocks_beside_it() {
+    let within = |blocks: &str| {
+        let planned = planned(&cnc8x9("[machine-constants]\nR383 = 0.005\n", blocks));
+        let joint = motion(&planned, 5).joint.clone().unwrap();
+        (joint.within_g23, joint.broken_by)
+    };
+    assert_eq!(within("N2 G24 G1 X10 F1000\nN3 X10.003\nN4 G23 X20\nN5 Y30"), (true, Some(Break::Angle)));
+    assert_eq!(within("N2 G24 G1 X10 F1000\nN3 G23 X20\nN4 G24 X30\nN5 G23 Y30").0, false);
+}
+
 /// CNT-2: an arc moves along an axis of the first three though one of its ends has no direction there.
 #[test]
 fn arcs_with_a_fourth_linear_axis() {
