@@ -484,8 +484,12 @@ pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Toke
     // No block has the number 0.
     let number = sign && whole && digits.iter().any(|digit| *digit != b'0');
     let behind = bytes.get(token.end as usize..).sure();
-    let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-    let at = |place: usize| behind.get(blanks + place).map(u8::to_ascii_uppercase);
+    let blanks = |text: &[u8]| text.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+    let apart = blanks(behind) > 0;
+    let behind = behind.get(blanks(behind)..).sure();
+    // `190 /G01 X7`: the block is one that can be skipped.
+    let behind = behind.strip_prefix(b"/").map_or(behind, |words| words.get(blanks(words)..).sure());
+    let at = |place: usize| behind.get(place).map(u8::to_ascii_uppercase);
     let words = matches!(at(0), Some(b'A'..=b'M' | b'P'..=b'Z'))
         && matches!(at(1), Some(b'0'..=b'9' | b'+' | b'-' | b'.' | b'R'));
     let whole = |last: &Token| {
@@ -494,7 +498,7 @@ pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Toke
             Kind::Word | Kind::Number | Kind::Skip | Kind::Junk(Shape::Text | Shape::Unknown | Shape::LooseWord)
         )
     };
-    if !(line && number && (blanks > 0 || digits.len() > 1) && words) {
+    if !(line && number && (apart || digits.len() > 1) && words) {
         return None;
     }
     let mut last = before.iter().rev().filter(|token| token.kind != Kind::LineEnd).peekable();

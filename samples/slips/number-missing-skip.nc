@@ -1,0 +1,9 @@
+%1 "chybi N u bloku s vypustkou
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3 F250
+40 /G1 X7
+"@ 5:1-5:3 E0106
+N50 X8
+N60 G0 Z50
+N70 M30
