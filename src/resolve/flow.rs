@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::load::Context;
+use super::spelling::leading_number;
 use super::{Known, Resolved, Roles, Target, Unit, UnitId, UnitKind, l_number, spelling, targets};
 use crate::diag::{Finding, LabelText};
 use crate::dict::{Address, CALL_ELSEWHERE, Decimal, GCode};
-use crate::syntax::{BlockFlags, BlockId, Word};
+use crate::syntax::{BlockFlags, BlockId, Word, swallowed_words};
 use crate::text::{FileId, Location};
 
 /// A call or jump as written, the only function of its group in the block.
@@ -149,6 +150,12 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         let calls = roles.filter(|roles| roles.flow().is_some_and(|(code, _)| code == GCode::G71));
         named.extend(calls.filter_map(|roles| l_number(roles.l?)));
     }
+    // Nor does a call in words that a comment swallows (W0114).
+    let comments = parsed.block_ids().flat_map(|block| parsed.comments_behind(block));
+    let swallowed = comments.filter_map(|comment| swallowed_words(parsed.source.text(), *comment));
+    let texts = swallowed.map(|span| parsed.source.slice(span).to_ascii_uppercase());
+    let numbers = |text: String| text.split('L').skip(1).filter_map(|behind| Some(leading_number(behind)?.0)).collect();
+    named.extend(texts.flat_map::<Vec<u32>, _>(numbers));
     for (&l, &UnitId(id)) in &resolved.subprograms {
         let Some(unit) = resolved.units.get(id as usize).filter(|_| !named.contains(&l)) else { continue };
         // Where other words stand beside the number, another one may be meant (E0208).

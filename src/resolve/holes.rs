@@ -25,7 +25,8 @@ pub enum Known<T> {
 /// `numbers`.
 pub(super) fn may_hold(file: &ParsedFile, block: BlockId, address: Address, numbers: &[u8]) -> bool {
     let unread = |word: &Word| {
-        let read = word.whole().and_then(|number| u8::try_from(number).ok()).is_some();
+        let number = word.whole().filter(|_| word.is_digits()).and_then(|number| u8::try_from(number).ok());
+        let read = number.is_some() && (address != Address::G || word.g_code().is_some());
         word.address == address && !read && !word.is_parametric()
     };
     let mut words = file.words(block).iter().copied().filter(unread);
@@ -35,7 +36,7 @@ pub(super) fn may_hold(file: &ParsedFile, block: BlockId, address: Address, numb
 /// Whether a block that cannot be read as a whole, or words that a comment swallows (W0114), write an assignment to a
 /// parameter.
 pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
-    let name = format!("R{parameter}");
+    let digits = parameter.to_string();
     let start = |block: BlockId| file.n_place(block).span.start;
     let unread = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::DEBRIS)).map(|block| {
         let end = if block.next().0 < file.block_count() { start(block.next()) } else { file.end };
@@ -43,11 +44,19 @@ pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
     });
     let comments = file.block_ids().flat_map(|block| file.comments_behind(block));
     let swallowed = comments.filter_map(|comment| swallowed_words(file.source.text(), *comment));
-    let assigns = |behind: &str| behind.trim_start_matches([' ', '\t']).starts_with('=');
+    // Also with another letter in place of R, `E10=5`, and without `=`, `R10 5`.
+    let assigns = |text: &str, (at, _): (usize, &str)| {
+        let letter = text.get(..at).and_then(|before| before.chars().next_back());
+        let behind = text.get(at + digits.len()..).unwrap_or_default();
+        let value = behind.trim_start_matches([' ', '\t']);
+        let number = value.starts_with(['+', '-', '.'])
+            || value != behind && value.starts_with(|digit: char| digit.is_ascii_digit());
+        letter.is_some_and(char::is_alphabetic) && value.starts_with('=') || letter == Some('R') && number
+    };
     let mut texts = unread.chain(swallowed).map(|span| file.source.slice(span).to_ascii_uppercase());
     // The results of arithmetic are named by control words.
     let computes = |text: &str| ["G26", "G27", "G28", "G29"].iter().any(|function| text.contains(function));
-    texts.any(|text| computes(&text) || text.split(&name).skip(1).any(assigns))
+    texts.any(|text| computes(&text) || text.match_indices(&digits).any(|at| assigns(&text, at)))
 }
 
 /// Whether a unit without an end may have one that cannot be read: M02 or M30, in subprograms and macrocycles G70.
@@ -77,8 +86,9 @@ pub(super) fn may_have_block(parsed: &ParsedFile, unread: &[BlockId], unit: &Uni
 fn may_mean(file: &ParsedFile, word: Word, number: u32) -> bool {
     let text = file.source.slice(word.span(file.source.text()));
     let digits: String = text.chars().filter(char::is_ascii_digit).collect();
-    // One digit was replaced, inserted or lost, or none can be read.
-    if digits.is_empty() || digits.parse().is_ok_and(|read| spelling::distance(read, number).0 <= 1) {
+    // One digit was replaced, inserted or lost, or none can be read; of `E30` only the letter is wrong.
+    let slips = usize::from(Address::from_byte(*text.as_bytes().first().unwrap_or(&b' ')) == Some(word.address));
+    if digits.is_empty() || digits.parse().is_ok_and(|read| spelling::distance(read, number).0 <= slips) {
         return true;
     }
     // `END` is the end of a program on other controls.

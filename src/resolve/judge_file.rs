@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use super::axis_letters::AxisLetters;
 use super::judge_block::BlockJudge;
 use super::load::Context;
-use super::numbers::number_blocks;
+use super::numbers::{has_number_of_next, number_blocks};
 use super::open_ends::OpenFile;
 use super::points::Points;
 use super::star::Star;
@@ -110,8 +110,10 @@ impl Context<'_, '_> {
                 self.findings.add(speed);
             }
             self.open.lost_calls.extend(judged.lost_calls);
-            // An empty block whose number stands before is not meant to be one: that has its finding.
-            let is_new = |(block, _): &(BlockId, Diagnostic)| numbered.repeated.binary_search(block).is_err();
+            // An empty block whose number stands twice is not meant to be one: that has its finding.
+            let is_new = |(block, _): &(BlockId, Diagnostic)| {
+                numbered.repeated.binary_search(block).is_err() && !has_number_of_next(&parsed, *block)
+            };
             judged.empty.into_iter().filter(is_new).for_each(|(_, warning)| self.findings.add(warning));
             told.extend(judged.merged.iter().map(|(start, _)| *start));
             at_star.extend(judged.at_star);

@@ -63,7 +63,8 @@ fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], numbered: &mut N
         let last = rest.get(count.saturating_sub(1)).map_or(block, |(last, _)| *last);
         let last = (count > 1).then(|| parsed.shown_number(last));
         let number = parsed.shown_number(block);
-        let copied = last.is_some() || is_copy(parsed, block, first);
+        let twice = parsed.words(first).is_empty() && first.next() == block;
+        let copied = last.is_some() || twice || is_copy(parsed, block, first);
         let (at, other, label) = if last.is_none() && !rises(parsed, first) && rises(parsed, block) {
             (first, block, LabelText::BlockHere { block: number })
         } else {
@@ -80,8 +81,7 @@ fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], numbered: &mut N
 
 /// The M function whose number an empty block has behind the words of another block on its line: `T2 N6`.
 pub fn number_as_function(file: &ParsedFile, block: BlockId) -> Option<String> {
-    let twice = block.next().0 < file.block_count() && file.number(block) == file.number(block.next());
-    let n = file.n_word(block).filter(|_| !twice && word_before(file, block).is_some())?;
+    let n = file.n_word(block).filter(|_| !has_number_of_next(file, block) && word_before(file, block).is_some())?;
     let digits = file.source.slice(n.span(file.source.text())).get(1..)?.trim_start_matches([' ', '\t']);
     let number: u8 = digits.parse().ok().filter(|_| digits.len() <= 2)?;
     (number <= Dialect::HIGHEST_M).then(|| format!("M{digits}"))
@@ -96,8 +96,13 @@ pub(super) fn word_before(file: &ParsedFile, block: BlockId) -> Option<Word> {
 
 /// Whether a block is written twice, one behind the other, with its number (E0204).
 pub(super) fn is_doubled(parsed: &ParsedFile, block: BlockId) -> bool {
+    has_number_of_next(parsed, block) && is_copy(parsed, block, block.next())
+}
+
+/// Whether the block behind a block has its number, too (E0204).
+pub(super) fn has_number_of_next(parsed: &ParsedFile, block: BlockId) -> bool {
     let next = block.next();
-    next.0 < parsed.block_count() && parsed.number(block) == parsed.number(next) && is_copy(parsed, block, next)
+    next.0 < parsed.block_count() && parsed.number(block) == parsed.number(next)
 }
 
 /// Whether two blocks have the same words.

@@ -7,7 +7,7 @@ use super::load::Context;
 use super::spelling;
 use super::star::Star;
 use super::targets::{Namesake, macrocycle_finding};
-use super::unnumbered::lines_by_number;
+use super::unnumbered::{lines_between, lines_by_number};
 use super::{MacrocycleFault, Resolved, Target, UnitId};
 use crate::diag::{Diagnostic, EarlyEnd, Finding, LabelText, UnusedMeant};
 use crate::sure::small;
@@ -191,8 +191,12 @@ impl Context<'_, '_> {
     ) -> BTreeSet<(FileId, usize)> {
         let mut wanted: BTreeMap<FileId, BTreeSet<u32>> = BTreeMap::new();
         jumps.iter().for_each(|(l, jump)| _ = wanted.entry(jump.at.file).or_default().insert(*l));
+        let unnumbered = |file: FileId| files.iter().find(|open| open.file == file).map(|open| &open.unnumbered);
         let lines = |(file, wanted): (&FileId, &BTreeSet<u32>)| {
-            resolved.file(*file).map(|parsed| (*file, lines_by_number(parsed, wanted)))
+            let parsed = resolved.file(*file)?;
+            let mut lines = lines_between(parsed, unnumbered(*file)?, wanted);
+            lines.extend(lines_by_number(parsed, wanted));
+            Some((*file, lines))
         };
         let lines: BTreeMap<FileId, BTreeMap<u32, usize>> = wanted.iter().filter_map(lines).collect();
         let mut told = BTreeSet::new();

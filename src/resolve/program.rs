@@ -134,6 +134,11 @@ impl Resolved {
         self.files.get(index.0 as usize).map(|file| &file.parsed)
     }
 
+    /// All of its files.
+    pub fn files(&self) -> impl Iterator<Item = &ParsedFile> {
+        self.files.iter().map(|file| &file.parsed)
+    }
+
     /// The program's file and those of the macrocycles that written calls lead to.
     pub fn written_files(&self) -> impl Iterator<Item = &ParsedFile> {
         self.files.iter().take(self.written_files).map(|file| &file.parsed)

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::functions::m_number;
 use super::holes::{may_have_end, may_hold};
 use super::load::Context;
-use super::numbers::is_doubled;
+use super::numbers::{has_number_of_next, is_doubled};
 use super::open_ends::Stray;
 use super::spelling;
 use super::star::Star;
@@ -103,8 +103,9 @@ impl Context<'_, '_> {
             let flags = parsed.flags(block);
             let entry = flags.has(BlockFlags::ENTRY);
             let again = || block.0.checked_sub(1).is_some_and(|before| is_doubled(parsed, BlockId(before)));
-            // The second one of two ends is too many.
-            if !entry && !stray && again() {
+            let begins_next = || has_number_of_next(parsed, block) && parsed.flags(block.next()).has(BlockFlags::ENTRY);
+            // The second one of two ends is too many, and the first `N100` of `N100 N100 G79 L1`.
+            if !entry && !stray && (again() || begins_next()) {
                 block = block.next();
                 continue;
             }
@@ -148,7 +149,7 @@ impl Context<'_, '_> {
         self.check_entry(parsed, block, ends_before);
         let id = resolved.add_unit(unit);
         // The number that a fix makes of it is a guess.
-        resolved.nameless_subprogram |= l_word.is_some_and(Word::is_faulty);
+        resolved.nameless_subprogram |= l_word.is_some_and(|word| word.is_faulty() || !word.is_digits());
         if !ended {
             self.report_unterminated(resolved, split, &unit);
         }

@@ -110,6 +110,24 @@ pub(super) fn lines_by_number(parsed: &ParsedFile, wanted: &BTreeSet<u32>) -> BT
     numbered.filter(|(number, _)| wanted.contains(number)).collect()
 }
 
+/// The first of the lines without a block number that stands where the block of each wanted number belongs, by number;
+/// lines are counted from 0.
+pub(super) fn lines_between(
+    parsed: &ParsedFile,
+    unnumbered: &[(Word, BlockId)],
+    wanted: &BTreeSet<u32>,
+) -> BTreeMap<u32, usize> {
+    let mut lines = BTreeMap::new();
+    for (word, block) in unnumbered.iter().rev() {
+        let next = block.next();
+        let behind = (next.0 < parsed.block_count()).then(|| parsed.number(next)).flatten().unwrap_or(u32::MAX);
+        let Some(before) = parsed.number(*block).filter(|before| *before < behind) else { continue };
+        let line = parsed.source.lines().line_at(word.start());
+        lines.extend(wanted.range(before + 1..behind).map(|number| (*number, line)));
+    }
+    lines
+}
+
 /// The whole number that a line begins with, also behind another letter than `N`.
 fn line_number(line: &str) -> Option<u32> {
     let line = line.trim_start_matches([' ', '\t']);

@@ -87,7 +87,7 @@ impl Interpreter {
         let mut state = State::new(program.settings);
         state.said.operations.clone_from(resolved.unknown_operations());
         if let Some(file) = main.as_ref().and_then(|main| resolved.file(main.unit.file)) {
-            state.lose_set_by(&file.outside, &program.settings.machine);
+            state.lose_set_by(file, &file.outside, &program.settings.machine);
         }
         Self {
             state,
@@ -192,7 +192,7 @@ impl Interpreter {
             let call = self.frames.last().and_then(|frame| frame.call);
             let cut = call.map(|call| LostCall { n: call.n, l: Some(call.l), missing: false });
             self.lost = self.lost.or(cut);
-            self.state.lose_by_cut();
+            self.state.lose_by_cut(file, &unit, &program.settings.machine);
             self.run = Run::Unknown;
             self.leave();
             return Ok(false);

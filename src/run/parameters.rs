@@ -131,7 +131,7 @@ fn read(site: &mut Site<'_>, state: &mut State, index: u8, place: Location) -> O
             return parameter.value;
         }
         // What cannot be read has its finding.
-        if !state.compiled && may_assign(site.file, index) {
+        if !state.compiled && site.resolved.files().any(|file| may_assign(file, index)) {
             return None;
         }
         site.found(Finding::UnassignedParameter { parameter: index, compiled: state.compiled }, place);
@@ -180,7 +180,7 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) {
     let controlled = (FIRST_CONTROL..=LAST_CONTROL).any(|parameter| control(parameter).is_some());
     // An R without a number of its own, and arithmetic of which nobody knows the operations, may assign any parameter.
     let nameless = words.r.iter().any(|word| usize::from(word.target()) >= state.parameters.len());
-    let mut anything = nameless || clash || (words.malformed_g && controlled);
+    let mut anything = nameless || clash || (words.unknown_g && controlled);
     if let Some((function, g_word)) = function {
         for parameter in (FIRST_CONTROL..).take(function.operations()) {
             if let Some((word, value)) = control(parameter)

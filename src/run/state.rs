@@ -7,6 +7,7 @@ use crate::config::{Machine, Settings};
 use crate::dict::{
     Address, Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, Micro, SPINDLE_GROUP, SPINDLE_STOP,
 };
+use crate::resolve::Unit;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location};
 
@@ -413,15 +414,21 @@ impl State {
         }
     }
 
-    /// A call ended without the G70 of its unit: the functions in force are not known after it, either.
-    pub(super) fn lose_by_cut(&mut self) {
+    /// A call ended without the G70 of its unit: what its functions set may have been set back behind them.
+    pub(super) fn lose_by_cut(&mut self, file: &ParsedFile, unit: &Unit, machine: &Machine) {
         self.lose_by_call();
-        self.unknown = self.unknown.and(Groups::lasting());
-        self.m.fill(None);
+        let words = (unit.first.0..unit.end.0).flat_map(|block| file.words(BlockId(block)));
+        let functions = words.filter(|word| matches!(word.address, Address::G | Address::M));
+        self.lose_set_by(file, functions, machine);
     }
 
     /// What words before the first block would have set is not known (BLK-2).
-    pub(super) fn lose_set_by(&mut self, words: &[Word], machine: &Machine) {
+    pub(super) fn lose_set_by<'w>(
+        &mut self,
+        file: &ParsedFile,
+        words: impl IntoIterator<Item = &'w Word>,
+        machine: &Machine,
+    ) {
         for word in words {
             let Self { feed, speed, tool, h, p, d, .. } = self;
             let held = [
@@ -439,6 +446,10 @@ impl State {
                 self.unknown = self.unknown.and(groups);
             } else if word.address == Address::M {
                 (self.m, self.in_spindle) = ([None; M_GROUPS], Held::Undetermined);
+            } else if word.address == Address::R {
+                if let Some(slot) = self.parameters.get_mut(usize::from(word.target())) {
+                    *slot = Parameter { value: None, origin: Origin::Word(file.word_place(*word)) };
+                }
             } else if let Some(axis) = machine.axes.index_of(word.address) {
                 self.set_position(axis, Position::Undetermined);
             }

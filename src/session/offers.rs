@@ -134,13 +134,19 @@ impl Offers<'_> {
             if file.words(block).is_empty() {
                 return Some(self.empty_block(file, block, at));
             }
+            // `N40 N40 X5`: the number is written twice.
+            let before = block.0.checked_sub(1).map(BlockId)?;
+            if file.number(before) == Some(number) && file.words(before).is_empty() {
+                let empty = Span::new(file.n_word(before)?.start(), at.start);
+                let alone = file.comments_behind(before).is_empty();
+                return alone.then(|| offer(FixTitle::Delete { text: format!("N{number}") }, file, empty, ""));
+            }
             // Which of the two a jump means, nobody knows.
             let is_it = |to: BlockId| file.number(to) == Some(number);
             let targets = self.resolved.targets(file.file);
             if targets.iter().any(|(_, target)| matches!(target, Target::Block(to) if is_it(*to))) {
                 return None;
             }
-            let before = block.0.checked_sub(1).map(BlockId)?;
             // A second end or beginning of a unit is wrong under any number.
             let flags = file.flags(block);
             let bounds = [BlockFlags::ENTRY, BlockFlags::END].into_iter().any(|flag| flags.has(flag)) && copied;

@@ -105,7 +105,7 @@ macro_rules! flow {
             en "there is no block N{l} to jump to"
             cs "blok N{l}, na který se má skočit, neexistuje"
             help (match (line, near) {
-                (Some(line), _) => format!("line {line} begins with {l}, but not with `N`: write `N{l}` there"),
+                (Some(line), _) => format!("line {line} lacks its block number: write `N{l}` there"),
                 (None, Some(n)) => format!("the nearest block of this unit is N{n}: `G73 L{n}`"),
                 (None, None) if *subprogram => format!("L{l} is a subprogram here: call it with `G71 L{l}`"),
                 (None, None) => wrong.map_or_else(String::new, |wrong| {
@@ -113,7 +113,7 @@ macro_rules! flow {
                 }),
             })
                | (match (line, near) {
-                   (Some(line), _) => format!("řádek {line} začíná číslem {l} bez N: napsat tam „N{l}“"),
+                   (Some(line), _) => format!("řádku {line} chybí číslo bloku: napsat tam „N{l}“"),
                    (None, Some(n)) => format!("nejbližší blok tohoto celku je N{n}: „G73 L{n}“"),
                    (None, None) if *subprogram => format!("L{l} je zde podprogram: zavolat ho pomocí „G71 L{l}“"),
                    (None, None) => wrong.map_or_else(String::new, |wrong| {

@@ -100,11 +100,10 @@ pub(super) fn printed(around: &Around<'_>) -> Option<Diagnosis> {
     if exponent && address == Address::R {
         return Some(parameters::no_number(around, 1, span));
     }
-    // Other words hold whole numbers without a sign, `&` four digits.
+    // Other words hold whole numbers without a sign, `&` four digits; `M0e3` is M03 with a letter in it.
     let fits = |value: Number| {
-        let form = address.is_dimensional()
-            || address == Address::F
-            || (address != Address::Correction && !value.point && !value.minus);
+        let whole = !matches!(address, Address::Correction | Address::G | Address::M);
+        let form = address.is_dimensional() || address == Address::F || whole && !value.point && !value.minus;
         form && around.may_mean(address, token.start, value)
     };
     let NumberMeant::Exponent { written } = meant else {

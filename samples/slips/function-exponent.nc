@@ -1,0 +1,8 @@
+%1 "pismeno v cislu funkce
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M0e3 F250
+"         ^^^^ E0106
+N40 G1 X5
+N50 G0 Z50 M5
+N60 M30

@@ -1,0 +1,11 @@
+%1 "cislo bloku dvakrat za sebou
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3 F250
+N40 N40 G71 L10
+"   ^^^ E0204
+N50 M30
+N100 N100 G79 L10
+"    ^^^^ E0204
+N110 G1 X5
+N120 G70
