@@ -24,6 +24,13 @@ pub struct MFunction {
     pub change_pos: bool,
 }
 
+impl MFunction {
+    /// Whether it acts at the end of its block (MFN-4).
+    pub const fn acts_at_end(&self) -> bool {
+        self.break_cont_end && !self.break_cont
+    }
+}
+
 /// Whether a ChannelConfig lists the M functions of the machine.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub(super) enum ChannelList {

@@ -78,8 +78,7 @@ pub(super) fn apply(
         m.written.push(number);
         if function.change_pos {
             // At its end by its own attributes, else before the block's motion (MFN-4).
-            let at_end = function.break_cont_end && !function.break_cont;
-            *(if at_end { &mut m.moves_after } else { &mut m.moves_before }) = true;
+            *(if function.acts_at_end() { &mut m.moves_after } else { &mut m.moves_before }) = true;
             state.origins.moved = Some((number, site.word_place(word)));
         }
         m.break_cont |= function.break_cont;

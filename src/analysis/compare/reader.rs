@@ -4,15 +4,16 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use super::ChangeKind;
-use super::steps::{Context, Event, Motion, Steps, UNKNOWN, Value};
+use super::steps::{CENTER_BY, Context, Event, Motion, Steps, UNKNOWN, Value};
 use super::unknown::{Unknowns, as_written, is_unclear};
+use crate::config::Machine;
 use crate::diag::Findings;
 use crate::dict::{
-    Address, AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
-    PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
-    standard_m_functions,
+    Address, AxisLetter, COOLANT_12, COOLANT_12_GROUP, COOLANT_34, COOLANT_34_GROUP, Decimal, GCode, GGroup, M_GROUPS,
+    Micro, OPTIONAL_STOP, ORIENTED_STOP, PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP, SPINDLE_STOP,
+    SPINDLE_TURNS, TOOL_CHANGE, standard_m_functions,
 };
-use crate::run::{ArcPath, End, Executed, MotionType, Sink, State};
+use crate::run::{End, Executed, MotionType, Sink, State};
 
 /// Reads the steps of a program.
 #[derive(Debug)]
@@ -139,7 +140,7 @@ impl StepReader {
                 self.lasting(block, kind, slot, value);
             }
         }
-        self.read_functions(block, before, When::Before, false);
+        self.read_functions(block, before, When::Before, block.motion().is_some());
         if let Some(data) = block.data() {
             // G93 says where an axis stands: X of a diameter at half its number.
             let stands = |letter: char| {
@@ -166,24 +167,26 @@ impl StepReader {
         }
     }
 
-    /// The M functions that act then.
-    fn read_functions(&mut self, block: &Executed<'_>, before: &Written, when: When, beside: bool) {
+    /// The M functions that act then; `moves`: the block has a motion.
+    fn read_functions(&mut self, block: &Executed<'_>, before: &Written, when: When, moves: bool) {
         let machine = &block.settings().machine;
         let group_of = |number: u8| machine.m_functions.group(number);
         // Their order in the block does not matter.
         let mut written: Vec<u8> =
-            block.m_written().iter().copied().filter(|number| When::of(*number) == when).collect();
+            block.m_written().iter().copied().filter(|number| When::of(*number, machine).0 == when).collect();
         written.sort_unstable_by_key(|number| (group_of(*number), *number));
         for number in written {
             let group = usize::from(group_of(number));
             let stays = standard_m_functions(machine.dialect).any(|row| usize::from(row.group) == group);
             // A second M19 turns the spindle back.
             let turns = number == ORIENTED_STOP && block.m_changed().contains(&group_of(number));
+            let beside = moves && !When::of(number, machine).1;
             let repeats = stays && !turns && before.m.get(group).copied().flatten() == Some(number);
             if number == TOOL_CHANGE {
                 let unknown = || Value::Text(self.unknowns.told(Address::T).to_owned());
                 let tool = block.tool().map_or_else(unknown, Value::from);
-                self.lasting(block, ChangeKind::Tool, "M06", tool);
+                let slot = "M06".to_owned();
+                self.add(block, Event { kind: ChangeKind::Tool, slot, value: tool, lasts: true, beside });
                 continue;
             }
             let event = Event { beside, ..function_event(group, number, stays) };
@@ -271,9 +274,12 @@ impl StepReader {
         let Some(moves) = block.motion() else { return false };
         let mut motion = Motion::new(moves.kind());
         let by_distance = block.g(GGroup::G9) == Some(GCode::G91);
-        // From a start that nobody knows, the way to the centre counts.
-        let center = |arc: &ArcPath| arc.center.filter(|_| !moves.is_stale()).or(arc.to_center);
-        let arc = moves.arc().and_then(|arc| Some((arc, center(&arc)?)));
+        let arc = moves.arc().and_then(|arc| {
+            let known = arc.center.filter(|_| !moves.is_stale());
+            // From a start that nobody knows, the way to the centre counts.
+            motion.by = if known.is_none() { CENTER_BY } else { 0 };
+            Some((arc, known.or(arc.to_center)?))
+        });
         // An arc ends somewhere along both axes of its plane, named or not.
         let plane = arc.map(|(arc, _)| arc.plane);
         let ends = |letter: &AxisLetter| moves.moves(*letter) || plane.is_some_and(|plane| plane.contains(letter));
@@ -336,13 +342,21 @@ enum When {
 }
 
 impl When {
-    fn of(number: u8) -> Self {
+    /// When, and whether that is sure: by MFN-4, or since spindle and coolant go on before the motion. Of other
+    /// functions the sources do not say it.
+    fn of(number: u8, machine: &Machine) -> (Self, bool) {
         let stops = [PROGRAM_STOP, OPTIONAL_STOP].contains(&number) || PROGRAM_ENDS.contains(&number);
         let off = [SPINDLE_STOP, COOLANT_12[1], COOLANT_34[1]].contains(&number);
-        match (stops, off) {
-            (true, _) => Self::Last,
-            (false, true) => Self::Behind,
-            (false, false) => Self::Before,
+        let function = machine.m_functions.get(number);
+        let at_end = function.is_some_and(|function| function.acts_at_end());
+        let at_start = function.is_some_and(|function| function.break_cont || function.change_pos);
+        let group = usize::from(machine.m_functions.group(number));
+        let on = SPINDLE_TURNS.contains(&number) || [COOLANT_12_GROUP, COOLANT_34_GROUP].contains(&group);
+        match (stops, at_end, off) {
+            (true, ..) => (Self::Last, true),
+            (false, true, _) => (Self::Behind, true),
+            (false, false, true) => (Self::Behind, false),
+            (false, false, false) => (Self::Before, at_start || on),
         }
     }
 }

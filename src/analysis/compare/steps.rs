@@ -77,6 +77,9 @@ pub(super) const UNKNOWN: i64 = i64::MIN;
 /// Most values of a motion: nine axes, a centre and an angle.
 const MOST: usize = AxisLetter::ALL.len() + 3;
 
+/// In [`Motion::by`]: the centre is counted from a start that nobody knows.
+pub(super) const CENTER_BY: u16 = 1 << 15;
+
 /// A motion, as it is read.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion {
@@ -85,7 +88,7 @@ pub(super) struct Motion {
     pub axes: u16,
     /// Those that stay where they are.
     pub still: u16,
-    /// Those of which distances are known, not the end.
+    /// Those of which distances are known, not the end; and [`CENTER_BY`].
     pub by: u16,
     /// The axes of the plane of an arc whose centre is known.
     pub plane: Option<[AxisLetter; 2]>,
@@ -154,11 +157,11 @@ impl Motion {
         self.axes & 1 << (letter as u16) != 0 && self.moves(letter)
     }
 
-    /// The axes that move, and those of them of which distances are known alone.
+    /// The axes that move, and those of them of which distances are known alone; with [`CENTER_BY`].
     pub fn moving(&self) -> (u16, u16) {
         let moving =
             self.letters().filter(|letter| self.moves(*letter)).fold(0, |all, letter| all | 1 << (letter as u16));
-        (moving, self.by & moving)
+        (moving, self.by & (moving | CENTER_BY))
     }
 
     /// Motions with another key are never the same motion with other values.
