@@ -60,8 +60,8 @@ fn ends_line(rest: &[u8]) -> bool {
     matches!(rest.next(), None | Some(b'\r' | b'\n' | b'"'))
 }
 
-/// The tokens before the first block; text on the line of `%` is one token to the end of the line, with the words in
-/// it: a title without quotes.
+/// The tokens before the first block; behind a `%` with text on its line, or a quote that ends it, all of the line is
+/// one token: a title without its quotes.
 fn with_whole_title(batch: &[Token], text: &str) -> Vec<Token> {
     let mut tokens = batch.to_vec();
     let is_text = |token: &Token| matches!(token.kind, Kind::Junk(Shape::Text) | Kind::Junk(Shape::Unit));
@@ -74,12 +74,14 @@ fn with_whole_title(batch: &[Token], text: &str) -> Vec<Token> {
         )
     };
     let line = tokens.iter().skip(from).position(ends).map_or(tokens.len(), |length| from + length);
-    let Some(first) = (from..line).find(|at| tokens.get(*at).is_some_and(is_text)) else { return tokens };
+    let quote = tokens.get(line).is_some_and(|end| text.get(end.span().range()).is_some_and(|end| end.trim() == "\""));
+    let is_title = quote || tokens.iter().take(line).skip(from).any(is_text);
+    let first = from + 1;
     let end = tokens.get(line - 1).map_or(0, |last| last.end);
-    if let Some(title) = tokens.get_mut(first) {
+    if let Some(title) = tokens.get_mut(first).filter(|_| is_title && first < line) {
         *title = Token { kind: Kind::Junk(Shape::Text), end, ..*title };
+        tokens.drain(first + 1..line);
     }
-    tokens.drain(first + 1..line);
     tokens
 }
 

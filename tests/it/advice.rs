@@ -75,6 +75,17 @@ fn calls_and_jumps_exchanged() {
     }
 }
 
+/// A number that is written twice in one line: the empty block is the copy, also where a subprogram begins.
+#[test]
+fn a_number_written_twice() {
+    for (blocks, behind) in [("N40 N40 X5\n", ""), ("N40 G71 L100\n", "N900 N900 G79 L100\nN910 G70\n")] {
+        let (en, cs) = (["delete one of the copies"], ["jednu kopii vymazat"]);
+        let case = Case { blocks, behind, en: &en, cs: &cs, ..Case::default() };
+        assert_advice(Code::E0204, &case);
+        assert_eq!(case.run().codes(), [Code::E0204], "{blocks}");
+    }
+}
+
 /// Jumps as other controls write them: the help names the block that they name (E0111).
 #[test]
 fn jumps_of_other_controls() {

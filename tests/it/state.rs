@@ -12,7 +12,7 @@ use cnc872c::dict::{Decimal, GCode, Lasting};
 use cnc872c::resolve::Resolved;
 use cnc872c::run::{End, Executed, Sink};
 use cnc872c::session::{Part, Session};
-use cnc872c::text::{FileId, Sources};
+use cnc872c::text::{FileId, LineColumn, Sources};
 use serde_json::Value;
 
 use crate::cli::{BAD, Place};
@@ -247,19 +247,19 @@ fn every_block_of_every_sample() {
     assert!(looked_at > 10_000, "{looked_at}");
 }
 
-/// The facts of each executed block that a place is named by: file, number, line, and the tool of its M06.
+/// The facts of each executed block that a place is named by: file, number, place, and the tool of its M06.
 #[derive(Default)]
 struct Facts(Vec<Fact>);
 
-/// File, number and line of a block, and the tool that it changes to.
-type Fact = (String, u32, u32, Option<Decimal>);
+/// File, number and place of a block, and the tool that it changes to.
+type Fact = (String, u32, LineColumn, Option<Decimal>);
 
 impl Sink for &mut Facts {
     type Whole = ();
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
         let tool = block.m_written().contains(&6).then(|| block.tool()).flatten();
-        self.0.push((block.file_name().to_owned(), block.n(), block.line(), tool));
+        self.0.push((block.file_name().to_owned(), block.n(), block.line_column(), tool));
         ControlFlow::Continue(())
     }
 
@@ -307,7 +307,7 @@ fn every_place_of_every_sample() {
                 expected.push((kind, seq, (pass.is_none() && same.len() > 1).then_some(same.len() as u64)));
             }
         };
-        for (seq, (file, n, line, tool)) in facts.iter().enumerate().step_by(step) {
+        for (seq, (file, n, at, tool)) in facts.iter().enumerate().step_by(step) {
             let all = |is: &dyn Fn(&Fact) -> bool| -> Vec<usize> {
                 facts.iter().enumerate().filter(|(_, fact)| is(fact)).map(|(at, _)| at).collect()
             };
@@ -315,14 +315,14 @@ fn every_place_of_every_sample() {
             if let Some(tool) = tool {
                 ask(3, At::Tool(*tool), &sample.file, all(&|fact| fact.3 == Some(*tool)), seq);
             }
-            let of_line = all(&|fact| (&fact.0, fact.2) == (file, *line));
+            let of_line = all(&|fact| (&fact.0, fact.2.line) == (file, at.line));
             let of_number = all(&|fact| (&fact.0, fact.1) == (file, *n));
             // Numbers that stand twice, and lines with two blocks, name the first.
             // A block without a number of its own cannot be asked for.
-            if *n > 0 && of_line.iter().all(|at| facts[*at].1 == *n) && of_number.iter().all(|at| facts[*at].2 == *line)
-            {
+            let is_it = |other: &usize| facts[*other].1 == *n && facts[*other].2 == *at;
+            if *n > 0 && of_line.iter().chain(&of_number).all(is_it) {
                 ask(0, At::N(*n), file, of_number, seq);
-                ask(1, At::Line(*line), file, of_line, seq);
+                ask(1, At::Line(at.line), file, of_line, seq);
             }
         }
         session.watch(path, &sample.file, Purpose::Report, &mut &mut searches);

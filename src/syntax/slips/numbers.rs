@@ -68,7 +68,14 @@ fn loose(around: &Around<'_>, first: Token, pieces: &[Token], tokens: usize) -> 
     let broken = Broken { address, prefix: &address.to_string(), run: around.number(first), pieces, span };
     let (value, found) = broken.explain(around);
     let word = value.map_or(Word::bare(address, span), |number| Word::with_number(address, span, number));
-    Diagnosis { found, ..Diagnosis::of(tokens) }.with(word, span)
+    let diagnosis = Diagnosis { found, ..Diagnosis::of(tokens) }.with(word, span);
+    // `S500 3`: the second number may be that of a function.
+    match pieces {
+        [piece] if matches!(address, Address::S | Address::T) && piece.span().len() <= 2 => {
+            diagnosis.void(Address::M, piece.span())
+        }
+        _ => diagnosis,
+    }
 }
 
 /// Digits behind the point of a position, at most (ADR-2).

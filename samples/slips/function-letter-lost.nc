@@ -1,0 +1,9 @@
+%1 "chybi M u otaceni vretena"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N25 M5
+N30 S500 3
+"   ^^^^^^ E0102
+N40 G1 X5 F100
+N50 G0 Z50
+N60 M30
