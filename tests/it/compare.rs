@@ -534,12 +534,9 @@ fn functions_that_move_the_machine() {
         ("G01 X5 Y1 Z1\nM96", "G01 X5 Y1 Z1 M96", true),
         ("M95\nG01 X5 Y1 Z1", "G01 X5 Y1 Z1 M95", true),
     ] {
-        let place = Place::with(&[
-            ("o.nc", framed(old).as_bytes()),
-            ("n.nc", framed(new).as_bytes()),
-            ("cnc872c.toml", b"channel-config = \"ch.xml\"\n"),
-            ("ch.xml", channel.as_bytes()),
-        ]);
+        let settings = [("cnc872c.toml", &b"channel-config = \"ch.xml\"\n"[..]), ("ch.xml", channel.as_bytes())];
+        let (old, new) = (framed(old), framed(new));
+        let place = Place::with(&[("o.nc", old.as_bytes()), ("n.nc", new.as_bytes()), settings[0], settings[1]]);
         for pair in [["o.nc", "n.nc"], ["n.nc", "o.nc"]] {
             let run = place.run(&["compare", pair[0], pair[1]]).ends(i32::from(!same));
             assert!(!run.stdout.contains(": I ") && !run.stdout.contains(": J "), "{}", run.stdout);

@@ -77,11 +77,11 @@ fn words_in_small_blocks() {
 fn a_joint_is_in_g23_by_the_blocks_beside_it() {
     let within = |blocks: &str| {
         let planned = planned(&cnc8x9("[machine-constants]\nR383 = 0.005\n", blocks));
-        let joint = motion(&planned, 5).joint.clone().unwrap();
+        let joint = motion(&planned, 5).joint.unwrap();
         (joint.within_g23, joint.broken_by)
     };
     assert_eq!(within("N2 G24 G1 X10 F1000\nN3 X10.003\nN4 G23 X20\nN5 Y30"), (true, Some(Break::Angle)));
-    assert_eq!(within("N2 G24 G1 X10 F1000\nN3 G23 X20\nN4 G24 X30\nN5 G23 Y30").0, false);
+    assert!(!within("N2 G24 G1 X10 F1000\nN3 G23 X20\nN4 G24 X30\nN5 G23 Y30").0);
 }
 
 /// CNT-2: an arc moves along an axis of the first three though one of its ends has no direction there.
