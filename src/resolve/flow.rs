@@ -8,7 +8,7 @@ use super::spelling::leading_number;
 use super::{Known, Resolved, Roles, Target, Unit, UnitId, UnitKind, l_number, spelling, targets};
 use crate::diag::{Finding, LabelText};
 use crate::dict::{Address, CALL_ELSEWHERE, Decimal, GCode};
-use crate::syntax::{BlockFlags, BlockId, Word, swallowed_words};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word, swallowed_words};
 use crate::text::{FileId, Location};
 
 /// A call or jump as written, the only function of its group in the block.
@@ -137,8 +137,8 @@ impl Context<'_, '_> {
 
 /// Warns of subprograms that no G71 names, unless one takes its L from a parameter (PRG-4).
 pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
-    let Some(parsed) = resolved.file(FileId(0)) else { return };
-    let mut named = BTreeSet::new();
+    let Some(parsed) = resolved.file(FileId(0)).filter(|_| !resolved.subprograms.is_empty()) else { return };
+    let mut named: BTreeSet<u32> = swallowed_numbers(parsed).into_iter().collect();
     for block in parsed.block_ids().filter(|block| parsed.flags(*block).has(BlockFlags::RICH)) {
         let Some(names) = named_by(context, resolved, parsed.words(block)) else { return };
         named.extend(names);
@@ -150,12 +150,6 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         let calls = roles.filter(|roles| roles.flow().is_some_and(|(code, _)| code == GCode::G71));
         named.extend(calls.filter_map(|roles| l_number(roles.l?)));
     }
-    // Nor does a call in words that a comment swallows (W0114).
-    let comments = parsed.block_ids().flat_map(|block| parsed.comments_behind(block));
-    let swallowed = comments.filter_map(|comment| swallowed_words(parsed.source.text(), *comment));
-    let texts = swallowed.map(|span| parsed.source.slice(span).to_ascii_uppercase());
-    let numbers = |text: String| text.split('L').skip(1).filter_map(|behind| Some(leading_number(behind)?.0)).collect();
-    named.extend(texts.flat_map::<Vec<u32>, _>(numbers));
     for (&l, &UnitId(id)) in &resolved.subprograms {
         let Some(unit) = resolved.units.get(id as usize).filter(|_| !named.contains(&l)) else { continue };
         // Where other words stand beside the number, another one may be meant (E0208).
@@ -164,6 +158,14 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
             context.report(unit.entry, Finding::UnusedSubprogram { l });
         }
     }
+}
+
+/// The numbers behind an `L` in words that comments swallow (W0114).
+fn swallowed_numbers(parsed: &ParsedFile) -> Vec<u32> {
+    let comments = parsed.block_ids().flat_map(|block| parsed.comments_behind(block));
+    let swallowed = comments.filter_map(|comment| swallowed_words(parsed.source.text(), *comment));
+    let behind_l = swallowed.flat_map(|span| parsed.source.slice(span).split(['L', 'l']).skip(1));
+    behind_l.filter_map(leading_number).map(|(number, _)| number).collect()
 }
 
 /// The numbers of the subprograms that a block calls, or was to call and has a finding; `None`: any of them.
