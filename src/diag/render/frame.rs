@@ -44,10 +44,11 @@ pub(super) fn draw(
     };
     let mut report = Report::build(ReportKind::Error, marks.iter().find(|mark| mark.primary).map_or((0, 0..0), span))
         .with_config(Config::new().with_color(colour).with_index_type(IndexType::Char));
-    // Ariadne keeps the marks of a file together only when their lines rise.
+    // Ariadne keeps the marks of a file together only when their lines rise, and underlines those of a line beside the
+    // first of them, if that has words.
     let mut order: Vec<&Mark> = marks.iter().collect();
-    order.sort_by_key(|mark| (mark.excerpt, span(mark).1.start));
-    for mark in order {
+    order.sort_by_key(|mark| (mark.excerpt, line(mark).1, mark.text.is_none(), span(mark).1.start));
+    for (place, mark) in (0..).zip(order) {
         let hue = if !mark.primary {
             Color::Cyan
         } else if main == Style::Error {
@@ -55,7 +56,7 @@ pub(super) fn draw(
         } else {
             Color::Yellow
         };
-        let label = Label::new(span(mark)).with_color(hue);
+        let label = Label::new(span(mark)).with_color(hue).with_order(place);
         let accompanied = || marks.iter().any(|other| other.text.is_some() && line(other) == line(mark));
         report.add_label(match &mark.text {
             Some(text) => label.with_message(text),
