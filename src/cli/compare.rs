@@ -197,9 +197,11 @@ fn read(file: &Path, args: &CompareArgs, overrides: &Overrides) -> Result<Read, 
     let mut found = None;
     if let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) {
         let session = Session { loader: &job.loader, settings, progress: None };
-        let (run, side, steps) = session.steps(&job.target().path, &job.target().name(), args.parameters);
+        let (path, name) = (&job.target().path, job.target().name());
+        let (run, side, steps) = session.steps(path, &name, args.parameters);
         let usable = !run.outcome.unusable && run.outcome.not_executed.is_none();
-        run.outcome.add_to(&mut report);
+        let outcome = if side.whole { run.outcome } else { session.why_unfinished(path, &name, run.outcome) };
+        outcome.add_to(&mut report);
         found = (usable && (side.whole || args.partial)).then_some((side, steps));
     }
     Ok(Read { job, projects, report, found })

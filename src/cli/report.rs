@@ -48,9 +48,8 @@ pub(super) fn run(args: &ReportArgs, locale: Locale) -> Result<Status, Failure> 
     // A parameter of the machine is no error here: the sheet lists it.
     let (path, name) = (&job.target().path, job.target().name());
     let Run { mut outcome, whole } = session.run(path, &name, Purpose::Report, sinks);
-    if whole.is_none() && !outcome.findings.has_errors() {
-        // What depends on the parameter keeps the program from its end: an error, as for the other commands.
-        outcome = session.run(path, &name, Purpose::Compile, ()).outcome;
+    if whole.is_none() {
+        outcome = session.why_unfinished(path, &name, outcome);
     }
     drop(progress);
     job.refuse_input()?;

@@ -49,6 +49,7 @@ pub(super) fn run(args: &RestartArgs, locale: Locale) -> Result<Status, Failure>
             Err((outcome, said)) => (*outcome, said.map(|said| End::Said(said, Status::Unusable))),
         },
     };
+    let outcome = if end.is_none() { session.why_unfinished(path, &name, outcome) } else { outcome };
     drop(progress);
     job.refuse_input()?;
     let status = match end {

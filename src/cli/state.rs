@@ -45,7 +45,9 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
     let (outcome, asked, found) = match asked {
         Ok(asked) => {
             let run = session.state(path, &name, asked.clone(), Timing::Configured);
-            (run.outcome, asked, (!run.error_before).then_some(run.found))
+            let unfinished = run.found.is_err() && !run.whole;
+            let outcome = if unfinished { session.why_unfinished(path, &name, run.outcome) } else { run.outcome };
+            (outcome, asked, (!run.error_before).then_some(run.found))
         }
         Err((outcome, asked, seconds)) => {
             let found = (!outcome.findings.has_errors()).then_some(Err(PlaceFault::TooLate { seconds }));

@@ -73,29 +73,46 @@ impl Gather {
 
     /// Notes what a block reads, then what it writes; `flat`: its words are written with their values.
     fn note(&mut self, block: &Executed<'_>, flat: bool) {
-        let words = block.file().map_or(&[][..], |file| file.words(block.at().1));
-        for word in words {
-            if let Value::Parameter { index, .. } = word.value()
-                && (!flat || self.before.state().parameter(index).is_none())
-            {
-                self.read(index);
-            }
-        }
-        let assigned: Vec<u8> =
-            words.iter().filter(|word| word.address == Address::R).map(|word| word.target()).collect();
-        let operands = operands(block, words, self.before.state());
-        for index in operands.into_iter().filter(|index| !assigned.contains(index)) {
-            self.read(index);
-        }
-        for index in assigned.into_iter().chain(block.params().iter().map(|(index, _)| *index)) {
+        let Uses { words, others, written } = Uses::of(block, self.before.state());
+        let state = self.before.state();
+        let words: Vec<u8> = words.into_iter().filter(|index| !flat || state.parameter(*index).is_none()).collect();
+        words.into_iter().chain(others).for_each(|index| self.read(index));
+        for index in written {
             if let Some(written) = self.written.get_mut(usize::from(index)) {
                 *written = true;
             }
         }
+    }
+}
+
+/// The parameters that a block uses, with the values from before it.
+#[derive(Debug)]
+pub(super) struct Uses {
+    /// Those that its words read.
+    pub words: Vec<u8>,
+    /// Operands, and what a macrocycle of the machine may read.
+    pub others: Vec<u8>,
+    pub written: Vec<u8>,
+}
+
+impl Uses {
+    pub(super) fn of(block: &Executed<'_>, before: &State) -> Self {
+        let words = block.file().map_or(&[][..], |file| file.words(block.at().1));
+        let read = |word: &Word| match word.value() {
+            Value::Parameter { index, .. } => Some(index),
+            Value::None | Value::Number(_) => None,
+        };
+        let assigned: Vec<u8> =
+            words.iter().filter(|word| word.address == Address::R).map(|word| word.target()).collect();
+        let mut others = operands(block, words, before);
+        others.retain(|index| !assigned.contains(index));
+        let written: Vec<u8> = assigned.into_iter().chain(block.params().iter().map(|(index, _)| *index)).collect();
         // Nobody knows what a macrocycle of the machine reads: whatever the program assigned.
         if block.is_opaque() {
-            (0..96).filter(|index| block.state().is_assigned(*index)).for_each(|index| self.read(index));
+            let known = (0..96).filter(|index| block.state().is_assigned(*index) && !written.contains(index));
+            others.extend(known);
         }
+        Self { words: words.iter().filter_map(read).collect(), others, written }
     }
 }
 

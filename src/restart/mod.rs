@@ -37,8 +37,10 @@ pub use tracker::Options;
 /// Most characters of a title.
 const TITLE: usize = 64;
 
-/// Most places that are tried for the nearest one.
-const TRIED: usize = 8;
+/// Places that are tried for the nearest one, at least.
+const TRIED: u64 = 8;
+/// More are tried until so many blocks were executed.
+const EXECUTED: u64 = 1 << 20;
 
 /// A program that starts in the middle of another one.
 #[derive(Clone, Debug)]
@@ -245,10 +247,12 @@ impl Making<'_> {
 
     /// The nearest place at which a start is proved; `seq`: the first that may be one.
     fn nearest(&self, source: &Arc<SourceText>, mut seq: Option<u64>) -> Option<Nearest> {
-        for _ in 0..TRIED {
+        let (mut tried, mut executed) = (0, 0);
+        while tried < TRIED || executed < EXECUTED {
             let asked = Asked { place: Place::Seq(seq?), file: None, pass: None, after: false };
             let found = self.look(asked.clone(), Timing::Never).1?.ok()?;
             let there = self.scan(&found)?;
+            (tried, executed) = (tried + 1, executed + found.blocks.done + found.blocks.left);
             if self.make(source, &found, &there).is_ok() {
                 let found = self.look(asked, Timing::Always).1?.ok()?;
                 let file = (found.file != 0).then(|| found.file_name.clone());

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 use super::approach::{Lack, Target, UnknownAxes};
+use super::gather::Uses;
 use super::reason::Reason;
 use super::tracker::{Conversion, Options, Tracker};
 use crate::config::Settings;
@@ -40,6 +41,8 @@ struct Pending {
     /// The latest of them.
     seq: u64,
     unknown: UnknownAxes,
+    /// The parameters that the program gave values that are not known, a bit each.
+    lost: u128,
     /// See [`Target::level`].
     level: Option<Micro>,
     /// See [`super::approach::Approach::lacks`].
@@ -51,7 +54,7 @@ struct Pending {
 impl Pending {
     /// Whether nothing that comes later matters.
     const fn is_settled(&self) -> bool {
-        self.unknown.is_empty() && self.level.is_none()
+        self.unknown.is_empty() && self.level.is_none() && self.lost == 0
     }
 }
 
@@ -241,7 +244,8 @@ impl Scan {
             }
         };
         let Target { unknown, level, approach } = target;
-        let pending = Pending { seq, unknown, level, lacks: approach.lacks, spots: spot.into_iter().collect() };
+        let lost = mask((0..96).filter(|index| self.tracker.state().is_lost(*index)));
+        let pending = Pending { seq, unknown, lost, level, lacks: approach.lacks, spots: spot.into_iter().collect() };
         if !is_place && pending.is_settled() {
             self.works(pending);
         } else {
@@ -253,7 +257,7 @@ impl Scan {
     fn wait(&mut self, pending: Pending) {
         let asked = self.place;
         let is_asked = |pending: &Pending| asked == Some(pending.seq);
-        let key = |of: &Pending| (of.unknown, of.level, of.lacks.clone());
+        let key = |of: &Pending| (of.unknown, of.lost, of.level, of.lacks.clone());
         let alike = |other: &Pending| key(other) == key(&pending);
         let same = |other: &&mut Pending| alike(other) && !is_asked(other) && !is_asked(&pending);
         match self.pending.iter_mut().find(same) {
@@ -311,7 +315,16 @@ impl Scan {
         let used = Used::of(block, self.tracker.state());
         let heights = self.tracker.heights();
         let (changes, works_at) = (heights.changes(block), heights.works_at(block, self.tracker.state()));
+        let uses = (block.has_parameters() || block.is_opaque()).then(|| Uses::of(block, self.tracker.state()));
+        let [reads, writes] =
+            uses.map_or([0; 2], |uses| [mask(uses.words.into_iter().chain(uses.others)), mask(uses.written)]);
         for mut pending in std::mem::take(&mut self.pending) {
+            if pending.lost & reads != 0 {
+                let name = format!("R{}", (pending.lost & reads).trailing_zeros());
+                self.refused.get_or_insert(Reason::Value { name });
+                continue;
+            }
+            pending.lost &= !writes;
             pending.level = pending.level.filter(|_| !changes);
             if pending.level.is_some_and(|level| works_at >= Some(level)) {
                 self.lack_safe(&pending, self.tracker.no_safe());
@@ -373,6 +386,11 @@ impl Scan {
             there.target = Err(reason);
         }
     }
+}
+
+/// Parameters, a bit each.
+fn mask(indices: impl IntoIterator<Item = u8>) -> u128 {
+    indices.into_iter().filter(|index| *index < 96).fold(0, |all, index| all | 1 << index)
 }
 
 /// How a block uses axes, a bit for each place in machine order.

@@ -133,6 +133,15 @@ impl<'a> Session<'a> {
         }
     }
 
+    /// The outcome of a run that is not whole. Where no error says why, a parameter that only the machine knows keeps the
+    /// program from its end: an error, as in a compilation.
+    pub fn why_unfinished(&self, path: &Path, name: &str, outcome: Outcome) -> Outcome {
+        if outcome.findings.has_errors() || outcome.unusable {
+            return outcome;
+        }
+        self.run(path, name, Purpose::Compile, ()).outcome
+    }
+
     /// Resolves the program at `path`, which the user calls `name`, for an execution whose blocks the caller asks for.
     ///
     /// # Errors

@@ -54,4 +54,5 @@ mod terms;
 mod tidy;
 mod time;
 mod traps;
+mod unfinished;
 mod valid;

@@ -50,7 +50,9 @@ pub(super) fn other_cycle(around: &Around<'_>) -> Option<Diagnostic> {
 pub(super) fn in_other_cycle(item: Diagnosis, cycle: &Diagnostic, has_g: bool) -> Diagnosis {
     let void = |(word, span): (Word, Span)| {
         let bare = Word::bare(word.address, span).faulty();
-        (if word.address == Address::N { word } else { bare.assigning(word.target()) }, span)
+        let calls = word.g_code().is_some_and(GCode::takes_l);
+        let kept = if calls { word.faulty() } else { word };
+        (if calls || word.address == Address::N { kept } else { bare.assigning(word.target()) }, span)
     };
     let words: Vec<(Word, Span)> = item.words.into_iter().map(void).collect();
     let own = has_g.then(|| cycle.clone());

@@ -1,0 +1,42 @@
+//! Programs that a parameter of the machine keeps from their end: every command says so (PAR-5), and a start in them is
+//! looked for as far back as it takes (RST-4).
+
+use crate::cli::Place;
+
+/// How often N15 jumps is known to the machine alone.
+const UNKNOWN_JUMP: &str = "%1\nN10 G90 G00 X0 Y0 Z5\nN12 X5\nN15 G73 L12 QR50\nN20 X7\nN30 M30\n";
+const OTHER: &str = "%1\nN10 G90 G00 X0 Y0 Z5\nN30 M30\n";
+
+#[test]
+fn why_a_program_does_not_come_to_its_end() {
+    let place = Place::with(&[("u.nc", UNKNOWN_JUMP.as_bytes()), ("o.nc", OTHER.as_bytes())]);
+    for (args, status) in [
+        (&["compare", "u.nc", "o.nc"][..], 2),
+        (&["compare", "o.nc", "u.nc", "-A", "W0503"], 2),
+        (&["restart", "u.nc", "--n", "12", "--pass", "1"], 1),
+        (&["restart", "u.nc", "--list", "-A", "W0503"], 1),
+        (&["state", "u.nc", "--n", "20"], 1),
+        (&["report", "u.nc"], 1),
+    ] {
+        let run = place.run(args).ends(status);
+        assert!(run.stderr.contains("error[W0503]: R50 is read"), "{args:?}\n{}", run.stderr);
+        assert!(run.stdout.is_empty(), "{args:?}\n{}", run.stdout);
+    }
+    let run = place.run(&["state", "u.nc", "--n", "12", "--pass", "1"]).ends(0);
+    assert!(run.stderr.contains("warning[W0503]"), "{}", run.stderr);
+}
+
+#[test]
+fn a_start_before_a_value_is_lost() {
+    let cuts: String = (0..20).map(|at| format!("N{} X{at}\n", 50 + at)).collect();
+    let text = format!(
+        "%1\nN10 G54 G90 G00 X0 Y0 Z50 F200\nN20 T5 M06\nN30 S900 M03\nN40 R10=R50\n{cuts}N80 Z60\nN90 G01 XR10\nN99 M30\n"
+    );
+    let place = Place::with(&[("p.nc", text.as_bytes())]);
+    let run = place.run(&["restart", "p.nc", "--n", "68", "--safe", "70"]).ends(1);
+    assert!(run.stderr.contains("the value of R10 is not known"), "{}", run.stderr);
+    assert!(run.stderr.contains("N40"), "{}", run.stderr);
+    let run = place.run(&["restart", "p.nc", "--list", "--safe", "70"]).ends(0);
+    let listed: Vec<&str> = run.stdout.lines().map(|line| line.split_whitespace().nth(2).unwrap()).collect();
+    assert_eq!(listed, ["N10", "N20"], "{}", run.stdout);
+}
