@@ -63,11 +63,11 @@ impl ValueMeant {
             (Self::Radius, _) => NumberMeant::Radius.text(lang),
             (Self::Height { cycle }, Lang::En) => format!(
                 "{cycle} takes the position of the hole; heights, depths and pecks go into the parameters that its \
-                macrocycle reads: `R10=2`. The macrocycle is named in the project file: `[cycles]`, `{cycle} = …`"
+                macrocycle reads: `R10=2`; `[cycles]` in the project file says which one that is"
             ),
             (Self::Height { cycle }, Lang::Cs) => format!(
                 "{cycle} má jen polohu díry; výšky, hloubky a kroky vrtání se zadávají do parametrů, které čte jeho \
-                makrocyklus: „R10=2“. Makrocyklus se uvede v projektovém souboru: [cycles], {cycle} = …"
+                makrocyklus: „R10=2“; který to je, určuje [cycles] v projektovém souboru"
             ),
             (Self::Line { function: GCode::G00 }, Lang::En) => {
                 "a straight line in rapid is programmed by `G00`, without `L`; at a feed by `G01`".to_owned()

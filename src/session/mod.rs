@@ -133,8 +133,8 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The outcome of a run that is not whole. Where no error says why, a parameter that only the machine knows keeps the
-    /// program from its end: an error, as in a compilation.
+    /// The outcome of a run that is not whole. Where no error says why, a parameter that only the machine knows keeps
+    /// the program from its end: an error, as in a compilation.
     pub fn why_unfinished(&self, path: &Path, name: &str, outcome: Outcome) -> Outcome {
         if outcome.findings.has_errors() || outcome.unusable {
             return outcome;

@@ -26,6 +26,7 @@ mod explain;
 mod faults;
 mod fields;
 mod format;
+mod guide_git;
 mod json_schema;
 mod lsp;
 mod markers;

@@ -201,7 +201,7 @@ impl Follow {
             Slot::Axis(letter) => {
                 axes().any(|(place, axis)| axis.letter == *letter && state.axis_position(place).is_some())
             }
-            Slot::R(index) => state.parameter(*index).is_some(),
+            Slot::R(index) => state.parameter(*index).is_some() || state.is_lost(*index),
             Slot::M(group) => state.m_in_force(*group).is_some(),
             Slot::G(_) | Slot::Value(_) => true,
         };

@@ -195,6 +195,11 @@ impl Table<'_> {
         let state = &self.found.state;
         let row = |index: u8| match state.parameter(index) {
             Some(value) => Some(vec![format!("R{index}"), value.to_string(), self.by(Slot::R(index), &Words::PowerUp)]),
+            None if state.is_lost(index) => Some(vec![
+                format!("R{index}"),
+                self.say(&Words::ValueNotKnown),
+                self.by(Slot::R(index), &Words::PowerUp),
+            ]),
             None if state.is_read_from_machine(index) => Some(vec![format!("R{index}"), self.say(&Words::FromMachine)]),
             None => None,
         };

@@ -190,6 +190,11 @@ impl Writers {
             self.set(Slot::value("dynamic_set"), writer);
         }
         block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
+        if block.has_parameters() {
+            let assigned = block.source_words().iter().filter(|word| word.address == Address::R);
+            let lost = (0..96).filter(|index| after.is_lost(*index) && !before.is_lost(*index));
+            assigned.map(|word| word.target()).chain(lost).for_each(|index| self.set(Slot::R(index), writer));
+        }
         let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
         let stands = stands.iter().filter_map(|(letter, _)| AxisLetter::from_letter(*letter));
         stands.for_each(|axis| self.set(Slot::Axis(axis), writer));
