@@ -159,7 +159,7 @@ impl Findings {
         self.faults
     }
 
-    /// Whether one of them is an error of structure or flow, or the program is for another control.
+    /// Whether one of them is an error of structure or flow.
     pub fn prevent_execution(&self) -> bool {
         self.counts.keys().any(|(_, code)| code.prevents_execution())
     }

@@ -152,7 +152,7 @@ pub(super) fn run(
     };
     let session = Session { loader: files, settings: &settings, progress: Some(&goes_on) };
     let (mut outcome, resolved) = session.resolve(path, &name);
-    let executable = session.can_execute(&resolved, &outcome);
+    let executable = Session::can_execute(&resolved);
     if cancel.is_cancelled() {
         return None;
     }

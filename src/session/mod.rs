@@ -155,7 +155,7 @@ impl<'a> Session<'a> {
             self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
             return Err(Box::new(outcome));
         }
-        if !self.can_execute(&resolved, &outcome) {
+        if !Self::can_execute(&resolved) {
             if !is_macrocycle && !outcome.unusable {
                 outcome.not_executed = first_fault(&outcome, name);
             }
@@ -184,12 +184,11 @@ impl<'a> Session<'a> {
         (outcome, resolved)
     }
 
-    /// Whether the second half of [`Self::check`] follows: it is a program with blocks, and not one for another
-    /// control. What is wrong does not keep it from being executed: what it would have set or called is unknown then
-    /// (§13).
-    pub fn can_execute(&self, resolved: &Resolved, outcome: &Outcome) -> bool {
+    /// Whether the second half of [`Self::check`] follows: it is a program with blocks. What is wrong does not keep it
+    /// from being executed: what it would have set or called is unknown then (§13).
+    pub fn can_execute(resolved: &Resolved) -> bool {
         let main = resolved.main().and_then(|id| resolved.unit(id));
-        main.is_some_and(|main| main.first < main.end) && !outcome.findings.has(Code::W0113)
+        main.is_some_and(|main| main.first < main.end)
     }
 
     /// Nothing found yet, at the levels of the run.
@@ -283,8 +282,7 @@ impl<'a> Session<'a> {
 fn first_fault(outcome: &Outcome, name: &str) -> Option<NotExecuted> {
     let findings = &outcome.findings;
     let faults = findings.items().iter().filter(|found| found.code().prevents_execution());
-    // The warning that a program is for another control concerns programs with errors, and those come first.
-    let first = faults.min_by_key(|found| (found.code() == Code::W0113, found.at, found.code()))?;
+    let first = faults.min_by_key(|found| (found.at, found.code()))?;
     let source = outcome.sources.get(first.at.file)?;
     Some(NotExecuted {
         file: name.to_owned(),

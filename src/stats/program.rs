@@ -69,7 +69,7 @@ pub fn row(session: &Session<'_>, path: &Path, name: &str, hash: String) -> (Row
         blocks: file.map_or(0, |file| u64::from(file.block_count())),
         ..Row::default()
     };
-    let outcome = if session.can_execute(&resolved, &outcome) {
+    let outcome = if Session::can_execute(&resolved) {
         let settings = session.settings;
         let findings = (JointFindings::new(settings), Equidistant::new(settings, false));
         let sinks =

@@ -42,3 +42,21 @@ fn a_start_before_a_value_is_lost() {
     let listed: Vec<&str> = run.stdout.lines().map(|line| line.split_whitespace().nth(2).unwrap()).collect();
     assert_eq!(listed, ["N10", "N20"], "{}", run.stdout);
 }
+
+/// A program for another control (W0113) is executed as any other: its arcs are judged, a cycle of that control is
+/// a call that cannot be followed (§13).
+#[test]
+fn a_program_for_another_control() {
+    let text = "%1\nN10 G90 G0 X0 Y0 Z5 F100\nN20 G02 X5 Y5\nN30 G71 U2 R1\nN40 G71 P50 Q60 U0.4 W0.1 F0.2\n\
+                N50 G02 X9 Y9\nN60 M30\n";
+    let place = Place::with(&[("p.nc", text.as_bytes())]);
+    let run = place.run(&["check", "--format", "short", "p.nc"]).ends(1);
+    assert_eq!(run.stdout.lines().count(), 5, "{}", run.stdout);
+    assert!(
+        run.stdout.contains("p.nc:3:5: error[E0602]") && run.stdout.contains("p.nc:6:5: error[E0602]"),
+        "{}",
+        run.stdout
+    );
+    let run = place.run(&["check", "p.nc"]).ends(1);
+    assert!(run.stdout.contains("after N30 positions are not known: its call cannot be followed"), "{}", run.stdout);
+}

@@ -144,11 +144,11 @@ impl Code {
         matches!(self, Self::W0628 | Self::W0629 | Self::W0801 | Self::W0802 | Self::W0804)
     }
 
-    /// Whether it is an error of structure or flow, or tells of a program for another control: which block leads where
-    /// is then not certain, and a program without blocks has such a finding.
+    /// Whether it is an error of structure or flow: which block leads where is then not certain, and a program without
+    /// blocks has such a finding.
     pub fn prevents_execution(self) -> bool {
         let structure = self.severity() == Severity::Error;
-        self == Self::W0113 || (structure && ["E02", "E04"].iter().any(|family| self.as_str().starts_with(family)))
+        structure && ["E02", "E04"].iter().any(|family| self.as_str().starts_with(family))
     }
 
     /// Whether it says that characters could not be read as words (FMT-6, REN-5).

@@ -54,7 +54,9 @@ pub(super) fn in_other_cycle(item: Diagnosis, cycle: &Diagnostic, has_g: bool) -
         let kept = if calls { word.faulty() } else { word };
         (if calls || word.address == Address::N { kept } else { bare.assigning(word.target()) }, span)
     };
-    let words: Vec<(Word, Span)> = item.words.into_iter().map(void).collect();
+    // Where the axes are is not known behind it anyway.
+    let stays = |(word, _): &(Word, Span)| word.address.axis().is_none();
+    let words: Vec<(Word, Span)> = item.words.into_iter().filter(stays).map(void).collect();
     let own = has_g.then(|| cycle.clone());
     let of_comment = item.found.filter(|found| matches!(found.code(), Code::E0105 | Code::W0114));
     Diagnosis { words, found: own.or(of_comment), ..item }
