@@ -1,6 +1,7 @@
 // What the page shows of programs: colours, filters, what stays after a change.
 
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
@@ -9,9 +10,11 @@ import { after, test } from 'node:test';
 import { App } from '../src/app.ts';
 import type { Container } from '../src/data/columns.ts';
 import type { Header } from '../src/data/header.ts';
+import { History } from '../src/data/history.ts';
+import { Program } from '../src/data/program.ts';
 import { type Legend, LIGHT, paint, rampCuts } from '../src/scene/colours.ts';
 import { Lines } from '../src/scene/lines.ts';
-import { pageData } from './pages.ts';
+import { pageData, program } from './pages.ts';
 
 const folder = mkdtempSync(path.join(tmpdir(), 'cnc872c-'));
 after(() => rmSync(folder, { recursive: true }));
@@ -39,6 +42,20 @@ function painted(app: App, by: 'velocity' | 'tool' | 'feed'): { lines: Lines; le
   const lines = new Lines(app.path, 0.01, undefined, by === 'velocity' ? rampCuts(app) : undefined);
   return { lines, legend: paint(app, lines, LIGHT, by) };
 }
+
+test('the next stop is that of `state`: M01 is one with optional stop only', async () => {
+  const file = path.join(folder, 'stops.nc');
+  writeFileSync(file, '%1\nN10 G90 G0 X0 Y0\nN20 M1\nN30 X5\nN40 M0\nN50 M30\n');
+  for (const [options, stop] of [
+    [[], 3],
+    [['--optional-stop'], 1],
+  ] as const) {
+    const data = await pageData(file, ...options);
+    const state = execFileSync(program, ['state', file, '--seq', '0', '--format', 'json', ...options]);
+    assert.equal(JSON.parse(state.toString()).progress.next_stop, stop);
+    assert.equal(new History(new Program(data!)).ahead(0).stop, stop);
+  }
+});
 
 test('a pass in the middle of a loop is shown where it alone is chosen', async () => {
   const app = new App(await dataOf(...LOOP(6)));

@@ -30,7 +30,8 @@ export class History {
 
   constructor(program: Program) {
     this.#program = program;
-    const { extras } = program.header;
+    const { extras, program: facts } = program.header;
+    const stopsAtM01 = facts['optional_stop'] === true;
     const numbers = (value: Json | undefined): number[] => (Array.isArray(value) ? (value as number[]) : []);
     this.#written = extras.map((extra) => [
       ...numbers(extra['g_set']).map((code) => `G${code}`),
@@ -39,7 +40,7 @@ export class History {
     ]);
     this.#params = extras.map((extra) => Array.isArray(extra['params']));
     this.#tools = extras.map((extra) => numbers(extra['m_set']).includes(6));
-    this.#stops = extras.map((extra) => extra['stop'] === true || extra['cond_stop'] === true);
+    this.#stops = extras.map((extra) => extra['stop'] === true || (stopsAtM01 && extra['cond_stop'] === true));
   }
 
   /** The executed blocks that last wrote these, up to a block; those that nobody wrote are left out. */
