@@ -42,3 +42,15 @@ fn values_before() {
     let (old, new) = ("N20 XR40\nN30 X5\nN40 XR40\n", "N20 XR40\nN30 X5\nN40 XR42\n");
     assert!(compared(old, new).contains("X R40 → R42"), "{}", compared(old, new));
 }
+
+/// CMP-3: blocks that one program has alone are told with both places.
+#[test]
+fn added_blocks_have_both_places() {
+    let old = "%1\nN10 G90 G54 G00 X0 Y0 Z10 T1\nN20 M06 S900 M03 F100\nN30 G01 X5\nN40 X7\nN50 X99\nN99 M30\n";
+    let new = old.replace("N40 X7\n", "N40 X7\nN42 Y5\nN44 Y6\n");
+    let place = Place::with(&[("o.nc", old.as_bytes()), ("n.nc", new.as_bytes())]);
+    let run = place.run(&["compare", "o.nc", "n.nc", "--lang", "en"]).ends(1);
+    assert!(run.stdout.contains("T1: 2 blocks added after N40 (N42–N44)\n"), "{}", run.stdout);
+    let run = place.run(&["compare", "n.nc", "o.nc", "--lang", "cs"]).ends(1);
+    assert!(run.stdout.contains("T1: odebráno bloků: 2 za N40 (N42–N44)\n"), "{}", run.stdout);
+}

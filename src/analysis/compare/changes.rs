@@ -125,6 +125,8 @@ pub struct Change {
     pub old_blocks: Blocks,
     /// Blocks of the new program.
     pub new_blocks: Blocks,
+    /// The block of the other program that the first of added or removed blocks stand behind.
+    pub behind: Option<u32>,
 }
 
 impl Change {
@@ -348,9 +350,13 @@ impl<'s> Grouping<'s> {
             // A loop executes the same change again.
             let run = run_of(blocks.iter().filter_map(|at| steps.step(*at)));
             let kind = if side == 0 { ChangeKind::Removed } else { ChangeKind::Added };
+            let behind = beside.start.checked_sub(1).and_then(|at| other.step(at)).map(|step| step.n);
             for at in blocks {
                 let [old, new] = if side == 0 { [Some(at), None] } else { [None, Some(at)] };
-                self.note(Difference { kind, what: None, old: None, new: None }, old, new, run);
+                let change = self.note(Difference { kind, what: None, old: None, new: None }, old, new, run);
+                if let Some((change, behind)) = change.zip(behind).filter(|(change, _)| change.count() == 1) {
+                    change.behind = Some(behind);
+                }
             }
         }
         let repeated = |at: usize| {
@@ -543,7 +549,13 @@ impl<'s> Grouping<'s> {
     }
 
     /// Adds a difference to its group; a `run` other than 0 has its own group.
-    fn note(&mut self, difference: Difference, old: Option<usize>, new: Option<usize>, run: u64) {
+    fn note(
+        &mut self,
+        difference: Difference,
+        old: Option<usize>,
+        new: Option<usize>,
+        run: u64,
+    ) -> Option<&mut Change> {
         let Difference { kind, what, old: old_value, new: new_value } = difference;
         let old_step = old.and_then(|at| self.old.step(at));
         let new_step = new.and_then(|at| self.new.step(at));
@@ -558,11 +570,11 @@ impl<'s> Grouping<'s> {
         let is_x = kind == ChangeKind::Position && what.as_deref() == Some("X");
         let halved = is_x && (self.old.diameters || self.new.diameters);
         let (old, new) = (old_value, new_value);
-        let change = Change { kind, tool, what, old, new, delta, halved, old_blocks, new_blocks };
-        if let Some(change) = self.groups.of(run, change) {
-            old_step.into_iter().for_each(|step| change.old_blocks.add(step));
-            new_step.into_iter().for_each(|step| change.new_blocks.add(step));
-        }
+        let change = Change { kind, tool, what, old, new, delta, halved, old_blocks, new_blocks, behind: None };
+        let change = self.groups.of(run, change)?;
+        old_step.into_iter().for_each(|step| change.old_blocks.add(step));
+        new_step.into_iter().for_each(|step| change.new_blocks.add(step));
+        Some(change)
     }
 }
 

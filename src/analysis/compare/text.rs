@@ -71,7 +71,8 @@ pub(super) fn line(change: &Change, lang: Lang) -> String {
         count => Words::ManyBlocks { count },
     };
     let count = count.text(lang);
-    let places = format!("({})", places(change, lang));
+    let behind = change.behind.map_or_else(String::new, |n| format!("{} ", Words::Behind { n }.text(lang)));
+    let places = format!("{behind}({})", places(change, lang));
     let dwell = || Words::Dwell.text(lang);
     let what = change.what.as_ref().map_or_else(dwell, ToString::to_string);
     let signed = |millionths: i64| {
