@@ -131,9 +131,6 @@ pub fn restart(session: &Session<'_>, path: &Path, name: &str, asked: &Asked, op
     };
     let answer = match found {
         None => Answer::Broken,
-        Some(Err(PlaceFault::Beyond { .. })) if asked.after && !matches!(asked.place, Place::Seq(_)) => {
-            Answer::Refused { reason: Reason::Last, nearest: None }
-        }
         Some(Err(fault)) => Answer::Place(fault),
         Some(Ok(found)) => match (outcome.sources.get(FileId(0)), making.scan(&found)) {
             (Some(source), Some(there)) => match making.make(source, &found, &there) {

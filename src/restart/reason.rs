@@ -59,7 +59,6 @@ bilingual! {
         TooLong { blocks: u64, limit: u64 }
             "{blocks} blocks of calls and loops would be written out, --max-blocks allows {limit}",
             "bylo by rozepsáno bloků volání a smyček: {blocks}, --max-blocks dovoluje {limit}";
-        Last "the program ends with this block", "program tímto blokem končí";
         Fails { code: String } "a program from there has the error {code}", "program odtud má chybu {code}";
         Differs { field: &'static str, n: u32 }
             "a program from there would differ at N{n}, in `{field}` of the block stream",

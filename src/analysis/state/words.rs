@@ -65,6 +65,9 @@ bilingual! {
         Beyond { place: String, blocks: u64 }
             "{place}: blocks that the program executes: {blocks}, the first is seq 0",
             "{place}: bloků, které program provede: {blocks}, první má seq 0";
+        Last { place: String }
+            "{place}: nothing comes behind it, the program ends there",
+            "{place}: za ním už nic není, program zde končí";
         TooLate { time: String } "--time: the program takes {time}", "--time: program trvá {time}";
         Passes { place: String, count: u64 } "{place}: --pass counts to {count}", "{place}: --pass jde do {count}";
         NoFile { file: String }
@@ -98,6 +101,9 @@ pub fn fault_text(fault: &PlaceFault, asked: &Asked, lang: Lang) -> String {
         PlaceFault::Missing { near: Some(near) } => Words::NoBlockNear { place, near: *near },
         PlaceFault::Missing { near: None } => Words::NoBlock { place },
         PlaceFault::NotExecuted => Words::NotExecuted { place },
+        PlaceFault::Beyond { blocks } if asked.after && !matches!(asked.place, Place::Seq(seq) if seq >= *blocks) => {
+            Words::Last { place }
+        }
         PlaceFault::Beyond { blocks } => Words::Beyond { place, blocks: *blocks },
         PlaceFault::TooLate { seconds } => Words::TooLate { time: clock(*seconds) },
         PlaceFault::Passes { count } => Words::Passes { place, count: *count },
