@@ -266,7 +266,7 @@ fn what_is_refused() {
         (&["a.nc", "--n", "1031"], 2, "the nearest number is N1030"),
         (&["a.nc", "--seq", "99"], 2, "blocks that the program executes"),
         (&["a.nc", "--time", "9:00:00"], 2, "the program takes"),
-        (&["a.nc", "--n", "100", "--after"], 2, "blocks that the program executes"),
+        (&["a.nc", "--n", "100", "--after"], 2, "N100: nothing comes behind it"),
         (&["a.nc"], 2, "is missing"),
         (&["a.nc", "--n", "100", "--list"], 2, "--list"),
         (&["a.nc", "--n", "20", "-o", "a.nc"], 2, "another file belongs after -o"),
