@@ -20,7 +20,7 @@ fn address_space() -> Option<u64> {
     Some(limit.saturating_sub(used) / 2)
 }
 
-/// What the machine has left.
+/// The memory that the machine has left.
 #[expect(clippy::disallowed_methods, reason = "the kernel tells it by files")]
 fn free() -> Option<u64> {
     Some(kilobytes(&read_to_string("/proc/meminfo").ok()?, "MemAvailable:")? / 10 * 9)

@@ -110,8 +110,8 @@ pub(super) fn lines_by_number(parsed: &ParsedFile, wanted: &BTreeSet<u32>) -> BT
     numbered.filter(|(number, _)| wanted.contains(number)).collect()
 }
 
-/// The first of the lines without a block number that stands where the block of each wanted number belongs, by number;
-/// lines are counted from 0.
+/// The line, counted from 0, that lacks the block number and is the place for the block, by wanted number; of several
+/// lines the first.
 pub(super) fn lines_between(
     parsed: &ParsedFile,
     unnumbered: &[(Word, BlockId)],

@@ -43,7 +43,7 @@ fn values_before() {
     assert!(compared(old, new).contains("X R40 → R42"), "{}", compared(old, new));
 }
 
-/// CMP-3: blocks that one program has alone are told with both places.
+/// CMP-3: a line about added or removed blocks names the places in both programs.
 #[test]
 fn added_blocks_have_both_places() {
     let old = "%1\nN10 G90 G54 G00 X0 Y0 Z10 T1\nN20 M06 S900 M03 F100\nN30 G01 X5\nN40 X7\nN50 X99\nN99 M30\n";

@@ -22,7 +22,7 @@ fn commands(lang: &str) -> String {
     format!("echo '*.nc diff=cnc'{commands}")
 }
 
-/// In a project of its own folder, macrocycles elsewhere; and macrocycles beside the program, without a project file.
+/// With a project file that names a folder of macrocycles, and with macrocycles next to the program.
 #[test]
 fn as_a_driver_of_git() {
     let binary = Path::new(env!("CARGO_BIN_EXE_cnc872c")).parent().unwrap().display().to_string();

@@ -86,7 +86,7 @@ fn what_is_offered() {
             "N40 G0 X1 \"up\"\nN50 G70\n",
         ),
         (Code::E0204, "%1\nN10 G0 X1\nN10 X2\nN20 M30\n", "write `N15`", "N10 G0 X1\nN15 X2\n"),
-        // The first one stands where N20 belongs.
+        // N20 belongs where the first one is.
         (Code::E0204, "%1\nN10 G0 X1\nN30 X2\nN30 X3\nN40 M30\n", "write `N20`", "N20 X2\nN30 X3\n"),
         (Code::E0401, "%1\nN10 G71 Q2\nN20 M30\nN30 G79 L5\nN40 G0 X1\nN50 G70\n", "write `G71 L5`", "G71 L5 Q2\n"),
         (Code::E0411, "%1\nN10 G04\nN20 M30\n", "write `G04 Q100`", "N10 G04 Q100\n"),

@@ -1,5 +1,5 @@
-//! Programs that a parameter of the machine keeps from their end: every command says so (PAR-5), and a start in them is
-//! looked for as far back as it takes (RST-4).
+//! Programs that do not end because only the machine knows a parameter: every command says so (PAR-5), and `restart`
+//! finds the nearest place before the value is lost (RST-4).
 
 use crate::cli::Place;
 

@@ -54,7 +54,7 @@ enum Alike {
 }
 
 impl Alike {
-    /// What the steps between those may have in common.
+    /// How steps between those may still be alike.
     const fn next(self) -> Option<Self> {
         match self {
             Self::Motions => Some(Self::Exact),

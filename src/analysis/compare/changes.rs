@@ -125,7 +125,7 @@ pub struct Change {
     pub old_blocks: Blocks,
     /// Blocks of the new program.
     pub new_blocks: Blocks,
-    /// The block of the other program that the first of added or removed blocks stand behind.
+    /// The number of the block in the other program that added or removed blocks follow; of several places the first.
     pub behind: Option<u32>,
 }
 

@@ -81,7 +81,7 @@ impl Parabola {
         }
         let count = self.links.len();
         self.curve.plan(&self.links, self.offset, self.entry, self.look_ahead, self.raise_s);
-        // What the end of what is known by now bears on is not settled yet.
+        // The end of the known path bears on these links: they are not settled yet.
         let until = if closed { f64::INFINITY } else { self.curve.joint(count - 2 * self.look_ahead - 1) };
         let Some((end, velocity)) = self.curve.last_rest(until).filter(|(end, _)| closed || *end > self.offset) else {
             return;
