@@ -52,14 +52,16 @@ macro_rules! words {
             } else if key.is_empty() {
                 "write the number without it".to_owned()
             } else {
-                format!("on a Czech keyboard `+` is the key of 1: write `{key}` if that is meant, else without the sign")
+                let plain = key.replacen('1', "", 1);
+                format!("on a Czech keyboard `+` is the key of 1: write `{key}` if that is meant, else `{plain}`")
             })
                | (if key.is_empty() && is_value(*address) {
                    "napsat číslo bez něj, nebo písmeno osy, je-li míněna".to_owned()
                } else if key.is_empty() {
                    "napsat číslo bez něj".to_owned()
                } else {
-                   format!("na české klávesnici je + na klávese číslice 1: je-li míněna, napsat „{key}“, jinak číslo bez znaménka")
+                   let plain = key.replacen('1', "", 1);
+                   format!("na české klávesnici je + na klávese číslice 1: je-li míněna, napsat „{key}“, jinak „{plain}“")
                })
         [E0306] DuplicateAddress "duplicate-address" Error { address: String, unnumbered: bool }
             en "`{address}` is written twice in this block"
