@@ -90,7 +90,7 @@ pub(super) fn run(args: &RestartArgs, locale: Locale) -> Result<Status, Failure>
     Ok(status)
 }
 
-/// What the command ends with.
+/// The end of the command.
 enum End {
     Program(Box<Restart>),
     List(Places),

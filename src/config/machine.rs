@@ -116,6 +116,11 @@ pub enum MayMove {
 }
 
 impl MayMove {
+    /// Whether its axes are named.
+    pub const fn names_axes(&self) -> bool {
+        matches!(self, Self::Only(_))
+    }
+
     /// Whether it may move that axis.
     pub fn moves(&self, axis: AxisLetter) -> bool {
         match self {

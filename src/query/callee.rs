@@ -28,7 +28,7 @@ pub(crate) fn about<'f>(file: &'f ParsedFile, unit: &Unit) -> Vec<&'f str> {
 pub(crate) fn inputs(names: &Names<'_>, unit: &Unit) -> Vec<u8> {
     let mut assigned = Vec::new();
     let mut inputs = Vec::new();
-    for block in (unit.first.0..unit.end.0).map(BlockId) {
+    for block in unit.blocks() {
         let mut named = names.of_block(block, |name| matches!(name, Name::Parameter(_)));
         // Words are read before they assign anything; operations see the results of those before (PAR-7).
         named.sort_by_key(|naming| (naming.is_operand(), !naming.is_operand() && naming.usage == Usage::Write));

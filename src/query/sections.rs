@@ -89,7 +89,7 @@ fn of_unit(file: &ParsedFile, unit: &Unit, change: Change, left: &mut usize) -> 
     let mut line_before = None;
     let commented = !file.all_comments().is_empty();
     let next = file.flags(unit.end).has(BlockFlags::ENTRY).then(|| comments_above(file, unit.end).first()).flatten();
-    for block in (unit.first.0..unit.end.0).map(BlockId) {
+    for block in unit.blocks() {
         if *left == 0 {
             break;
         }

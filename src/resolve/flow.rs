@@ -3,12 +3,13 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use super::holes::swallowed;
 use super::load::Context;
 use super::spelling::leading_number;
 use super::{Known, Resolved, Roles, Target, Unit, UnitId, UnitKind, l_number, spelling, targets};
 use crate::diag::{Finding, LabelText};
 use crate::dict::{Address, CALL_ELSEWHERE, Decimal, GCode};
-use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word, swallowed_words};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location};
 
 /// A call or jump as written, the only function of its group in the block.
@@ -26,7 +27,7 @@ struct Written {
 pub(super) fn follow_calls(context: &mut Context<'_, '_>, resolved: &mut Resolved) {
     while let Some(unit) = resolved.units.get(resolved.followed).copied() {
         resolved.followed += 1;
-        for block in (unit.first.0..unit.end.0).map(BlockId) {
+        for block in unit.blocks() {
             let Some(written) = written(resolved, unit, block) else { continue };
             let target = context.follow(resolved, &written);
             let file = resolved.files.get_mut(unit.file.0 as usize).and_then(Arc::get_mut);
@@ -144,7 +145,7 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         named.extend(names);
     }
     // A macrocycle cannot call one: where it does, it has E0404.
-    for macrocycle in resolved.files.iter().skip(1).map(|file| &file.parsed) {
+    for macrocycle in resolved.files().skip(1) {
         let blocks = macrocycle.block_ids().filter(|block| macrocycle.flags(*block).has(BlockFlags::RICH));
         let roles = blocks.map(|block| Roles::written(macrocycle.words(block)));
         let calls = roles.filter(|roles| roles.flow().is_some_and(|(code, _)| code == GCode::G71));
@@ -162,9 +163,7 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
 
 /// The numbers behind an `L` in words that comments swallow (W0114).
 fn swallowed_numbers(parsed: &ParsedFile) -> Vec<u32> {
-    let comments = parsed.block_ids().flat_map(|block| parsed.comments_behind(block));
-    let swallowed = comments.filter_map(|comment| swallowed_words(parsed.source.text(), *comment));
-    let behind_l = swallowed.flat_map(|span| parsed.source.slice(span).split(['L', 'l']).skip(1));
+    let behind_l = swallowed(parsed).flat_map(|span| parsed.source.slice(span).split(['L', 'l']).skip(1));
     behind_l.filter_map(leading_number).map(|(number, _)| number).collect()
 }
 

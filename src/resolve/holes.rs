@@ -33,6 +33,12 @@ pub(super) fn may_hold(file: &ParsedFile, block: BlockId, address: Address, numb
     words.any(|word| numbers.iter().any(|number| may_mean(file, word, u32::from(*number))))
 }
 
+/// The words that the comments of a file swallow (W0114).
+pub(super) fn swallowed(file: &ParsedFile) -> impl Iterator<Item = Span> {
+    let comments = file.block_ids().flat_map(|block| file.comments_behind(block));
+    comments.filter_map(|comment| swallowed_words(file.source.text(), *comment))
+}
+
 /// Whether a block that cannot be read as a whole, or words that a comment swallows (W0114), write an assignment to a
 /// parameter.
 pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
@@ -42,8 +48,6 @@ pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
         let end = if block.next().0 < file.block_count() { start(block.next()) } else { file.end };
         Span::new(start(block), end)
     });
-    let comments = file.block_ids().flat_map(|block| file.comments_behind(block));
-    let swallowed = comments.filter_map(|comment| swallowed_words(file.source.text(), *comment));
     // Also with another letter in place of R, `E10=5`, and without `=`, `R10 5`.
     let assigns = |text: &str, (at, _): (usize, &str)| {
         let letter = text.get(..at).and_then(|before| before.chars().next_back());
@@ -53,7 +57,7 @@ pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
             || value != behind && value.starts_with(|digit: char| digit.is_ascii_digit());
         letter.is_some_and(char::is_alphabetic) && value.starts_with('=') || letter == Some('R') && number
     };
-    let mut texts = unread.chain(swallowed).map(|span| file.source.slice(span).to_ascii_uppercase());
+    let mut texts = unread.chain(swallowed(file)).map(|span| file.source.slice(span).to_ascii_uppercase());
     // The results of arithmetic are named by control words.
     let computes = |text: &str| ["G26", "G27", "G28", "G29"].iter().any(|function| text.contains(function));
     texts.any(|text| computes(&text) || text.match_indices(&digits).any(|at| assigns(&text, at)))
@@ -61,7 +65,7 @@ pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
 
 /// Whether a unit without an end may have one that cannot be read: M02 or M30, in subprograms and macrocycles G70.
 pub fn may_have_end(file: &ParsedFile, unit: &Unit) -> bool {
-    let mut blocks = (unit.first.0..unit.end.0).map(BlockId);
+    let mut blocks = unit.blocks();
     match unit.kind {
         UnitKind::Main => blocks.any(|block| may_hold(file, block, Address::M, &PROGRAM_ENDS)),
         UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => {
@@ -87,7 +91,7 @@ fn may_mean(file: &ParsedFile, word: Word, number: u32) -> bool {
     let text = file.source.slice(word.span(file.source.text()));
     let digits: String = text.chars().filter(char::is_ascii_digit).collect();
     // One digit was replaced, inserted or lost, or none can be read; of `E30` only the letter is wrong.
-    let slips = usize::from(Address::from_byte(*text.as_bytes().first().unwrap_or(&b' ')) == Some(word.address));
+    let slips = usize::from(text.bytes().next().and_then(Address::from_byte) == Some(word.address));
     if digits.is_empty() || digits.parse().is_ok_and(|read| spelling::distance(read, number).0 <= slips) {
         return true;
     }

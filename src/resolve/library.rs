@@ -90,7 +90,7 @@ impl<'a> Library<'a> {
         let of_machine = self.of_machine.and_then(|known| known.get(&l));
         match self.index().get(&l).map(Vec::as_slice) {
             None | Some([]) if let Some(may_move) = of_machine => {
-                Err(MacrocycleFault::OfMachine { axes_named: matches!(may_move, MayMove::Only(_)) })
+                Err(MacrocycleFault::OfMachine { axes_named: may_move.names_axes() })
             }
             None | Some([]) => {
                 let name = |folder: &PathBuf| match path_name(folder) {

@@ -49,6 +49,11 @@ impl Unit {
         self.first <= block && block < self.end
     }
 
+    /// Its blocks, in order.
+    pub fn blocks(&self) -> impl Iterator<Item = BlockId> + use<> {
+        (self.first.0..self.end.0).map(BlockId)
+    }
+
     /// `main`, `L100`.
     pub fn name(&self) -> String {
         match self.kind {
@@ -141,7 +146,7 @@ impl Resolved {
 
     /// The program's file and those of the macrocycles that written calls lead to.
     pub fn written_files(&self) -> impl Iterator<Item = &ParsedFile> {
-        self.files.iter().take(self.written_files).map(|file| &file.parsed)
+        self.files().take(self.written_files)
     }
 
     /// The facts about the points of a file.

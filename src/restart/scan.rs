@@ -144,6 +144,8 @@ pub(super) struct Scan {
     count: u64,
     text: Text,
     there: Option<There>,
+    /// The parameters that the program gave values that are not known, before the next block.
+    lost: u128,
     /// Places that `--safe` would open.
     without_safe: u64,
     /// Why the first of the other places is none.
@@ -176,6 +178,7 @@ impl Scan {
             count: 0,
             text: Text::default(),
             there: None,
+            lost: 0,
             without_safe: 0,
             refused: None,
         }
@@ -244,7 +247,7 @@ impl Scan {
             }
         };
         let Target { unknown, level, approach } = target;
-        let lost = mask((0..96).filter(|index| self.tracker.state().is_lost(*index)));
+        let lost = self.lost;
         let pending = Pending { seq, unknown, lost, level, lacks: approach.lacks, spots: spot.into_iter().collect() };
         if !is_place && pending.is_settled() {
             self.works(pending);
@@ -474,6 +477,9 @@ impl Sink for &mut Scan {
         }
         self.use_axes(block);
         self.tracker.pass(block);
+        if !block.moves_on() {
+            self.lost = mask((0..96).filter(|index| self.tracker.state().is_lost(*index)));
+        }
         ControlFlow::Continue(())
     }
 

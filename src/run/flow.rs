@@ -222,14 +222,15 @@ impl Flow<'_, '_> {
     /// A macrocycle that only the machine has: the axes that it may move are unknown after it (FLW-12).
     fn call_opaque(&mut self, l: u32, place: Location, word: Option<Word>) -> Next {
         let machine = &self.program.settings.machine;
-        if let Some(may) = machine.macrocycles.get(&l) {
+        let may_move = machine.macrocycles.get(&l);
+        if let Some(may) = may_move {
             for (place, _) in machine.axes.iter().enumerate().filter(|(_, axis)| may.moves(axis.letter)) {
                 self.state.moved_unseen.insert(place);
             }
         }
         self.block.opaque_call = Some(l);
         if self.state.said.of_machine.insert(l) {
-            let axes_named = matches!(machine.macrocycles.get(&l), Some(MayMove::Only(_)));
+            let axes_named = may_move.is_some_and(MayMove::names_axes);
             let fault = MacrocycleFault::OfMachine { axes_named };
             let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, Namesake::default(), 1), place);
             let mut diagnostic = self.with_origin_of(diagnostic, word);

@@ -350,7 +350,7 @@ impl Interpreter {
         let end = if unit.kind == UnitKind::Main { BlockFlags::END } else { BlockFlags::RETURN };
         let skipped = |block: BlockId| file.flags(block).has(end) && file.flags(block).has(BlockFlags::SKIP);
         // One that is missing was found before execution.
-        if may_have_end(file, &unit) || !(unit.first.0..unit.end.0).map(BlockId).any(skipped) {
+        if may_have_end(file, &unit) || !unit.blocks().any(skipped) {
             return;
         }
         let (finding, at) = match unit.kind {

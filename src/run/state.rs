@@ -417,7 +417,7 @@ impl State {
     /// A call ended without the G70 of its unit: what its functions set may have been set back behind them.
     pub(super) fn lose_by_cut(&mut self, file: &ParsedFile, unit: &Unit, machine: &Machine) {
         self.lose_by_call();
-        let words = (unit.first.0..unit.end.0).flat_map(|block| file.words(BlockId(block)));
+        let words = unit.blocks().flat_map(|block| file.words(block));
         let functions = words.filter(|word| matches!(word.address, Address::G | Address::M));
         self.lose_set_by(file, functions, machine);
     }

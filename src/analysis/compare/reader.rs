@@ -172,15 +172,16 @@ impl StepReader {
         let machine = &block.settings().machine;
         let group_of = |number: u8| machine.m_functions.group(number);
         // Their order in the block does not matter.
-        let mut written: Vec<u8> =
-            block.m_written().iter().copied().filter(|number| When::of(*number, machine).0 == when).collect();
-        written.sort_unstable_by_key(|number| (group_of(*number), *number));
-        for number in written {
+        let timed = block.m_written().iter().map(|number| (*number, When::of(*number, machine)));
+        let mut written: Vec<(u8, bool)> =
+            timed.filter(|(_, (then, _))| *then == when).map(|(number, (_, sure))| (number, sure)).collect();
+        written.sort_unstable_by_key(|(number, _)| (group_of(*number), *number));
+        for (number, sure) in written {
             let group = usize::from(group_of(number));
             let stays = standard_m_functions(machine.dialect).any(|row| usize::from(row.group) == group);
             // A second M19 turns the spindle back.
             let turns = number == ORIENTED_STOP && block.m_changed().contains(&group_of(number));
-            let beside = moves && !When::of(number, machine).1;
+            let beside = moves && !sure;
             let repeats = stays && !turns && before.m.get(group).copied().flatten() == Some(number);
             if number == TOOL_CHANGE {
                 let unknown = || Value::Text(self.unknowns.told(Address::T).to_owned());
@@ -352,11 +353,12 @@ impl When {
         let at_start = function.is_some_and(|function| function.break_cont || function.change_pos);
         let group = usize::from(machine.m_functions.group(number));
         let on = SPINDLE_TURNS.contains(&number) || [COOLANT_12_GROUP, COOLANT_34_GROUP].contains(&group);
-        match (stops, at_end, off) {
-            (true, ..) => (Self::Last, true),
-            (false, true, _) => (Self::Behind, true),
-            (false, false, true) => (Self::Behind, false),
-            (false, false, false) => (Self::Before, at_start || on),
+        if stops {
+            (Self::Last, true)
+        } else if at_end || off {
+            (Self::Behind, at_end)
+        } else {
+            (Self::Before, at_start || on)
         }
     }
 }

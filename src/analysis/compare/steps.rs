@@ -1,4 +1,4 @@
-//! A program step by step: motions, and the words beside them. A million blocks take about 80 MB.
+//! A program step by step: motions and other words. A million blocks take about 80 MB.
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -23,8 +23,8 @@ bilingual! {
             "{what} now in {new} (was {old})",
             "{what} nyní v {new} (bylo {old})";
         Added { count: String, places: String } "{count} added {places}", "přidáno {count} {places}";
-        Behind { n: u32 } "after N{n}", "za N{n}";
         Removed { count: String, places: String } "{count} removed {places}", "odebráno {count} {places}";
+        Behind { n: u32 } "after N{n}", "za N{n}";
         OneBlock "1 block", "bloků: 1";
         ManyBlocks { count: u64 } "{count} blocks", "bloků: {count}";
         Dwell "dwell", "prodleva";

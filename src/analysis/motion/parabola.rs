@@ -30,7 +30,7 @@ pub(super) struct Parabola {
     /// How much of the first link is settled, and the velocity there; the acceleration is 0.
     offset: f64,
     entry: f64,
-    /// The current link, as far as it is settled.
+    /// The settled part of the current link.
     part: Curved,
     /// So many links are gathered before the next part is planned.
     wanted: usize,

@@ -1,4 +1,4 @@
-//! The form of the rows of the registry, and what a code says beside them.
+//! The form of the rows of the registry, and further facts about codes.
 
 use super::Code;
 use crate::named::named;

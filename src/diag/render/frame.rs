@@ -1,7 +1,7 @@
 //! Excerpts with their marks, drawn by ariadne.
 //!
 //! Ariadne knows only the small texts that it gets: it numbers their lines from one, and calls them by their index.
-//! What it draws is read line by line, and line numbers and places become those of the programs.
+//! Its drawing is read line by line; line numbers and places become those of the programs.
 
 use std::fmt::{Debug, Display};
 

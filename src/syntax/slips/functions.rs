@@ -49,10 +49,14 @@ pub(super) fn other_cycle(around: &Around<'_>) -> Option<Diagnostic> {
 /// `-G71` too.
 pub(super) fn in_other_cycle(item: Diagnosis, cycle: &Diagnostic, has_g: bool) -> Diagnosis {
     let void = |(word, span): (Word, Span)| {
-        let bare = Word::bare(word.address, span).faulty();
-        let calls = word.g_code().is_some_and(GCode::takes_l);
-        let kept = if calls { word.faulty() } else { word };
-        (if calls || word.address == Address::N { kept } else { bare.assigning(word.target()) }, span)
+        let kept = if word.address == Address::N {
+            word
+        } else if word.g_code().is_some_and(GCode::takes_l) {
+            word.faulty()
+        } else {
+            Word::bare(word.address, span).faulty().assigning(word.target())
+        };
+        (kept, span)
     };
     // Where the axes are is not known behind it anyway.
     let stays = |(word, _): &(Word, Span)| word.address.axis().is_none();
