@@ -81,7 +81,7 @@ impl Collector {
             },
         );
         Self {
-            rows: Rows::new(&settings.machine.axes, part, keep),
+            rows: Rows::new(settings, part, keep),
             reader: StepReader::new(settings),
             planned,
             equidistant: Equidistant::new(settings, true),

@@ -28,6 +28,7 @@ mod glyphs;
 mod hash;
 mod lines;
 mod names;
+mod noted;
 mod pack;
 mod page;
 mod parts;
@@ -43,6 +44,7 @@ mod tally;
 mod tangents;
 mod text;
 mod times;
+mod turning;
 
 pub use collect::{Collect, Collector, View};
 pub use names::Naming;

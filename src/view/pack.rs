@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::column::Column;
 use super::container::Container;
-use super::rows::Rows;
+use super::rows::{APART, Rows};
 use super::text::{Head, Text};
 use super::times::Times;
 
@@ -92,6 +92,8 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     put("accels", json!(times.accels));
     put("start_s", json!(times.start_s));
     put("beyond", times.beyond.json());
+    let ways = rows.ways.iter().chain([&rows.way]).map(|way| Value::from(way.to_f64()));
+    put("ways", json!({ "apart": APART, "mm": ways.collect::<Value>() }));
     put("foretold", Value::Object(foretold));
     put("per", Value::Object(per));
     put("turning", json!(rows.turning.is_lathe()));

@@ -118,36 +118,9 @@ impl StateKey {
     }
 }
 
-/// Whether a block does nothing but move, perhaps with a new F, and write parameters.
-pub(super) fn is_plain(block: &Executed<'_>) -> bool {
-    let (_, id) = block.at();
-    let Some(file) = block.file() else { return false };
-    let plain = |address: Address| match address {
-        Address::X | Address::Y | Address::Z | Address::A | Address::B | Address::C => true,
-        Address::U | Address::V | Address::W | Address::I | Address::J | Address::K | Address::F | Address::R => true,
-        Address::N
-        | Address::G
-        | Address::M
-        | Address::S
-        | Address::T
-        | Address::H
-        | Address::P
-        | Address::D
-        | Address::L
-        | Address::Q
-        | Address::Correction
-        | Address::Skip
-        | Address::Program => false,
-    };
-    file.words(id).iter().all(|word| plain(word.address))
-        && block.words().is_empty()
-        && block.data().is_none()
-        && !block.skippable()
-}
-
-/// What a block does, as far as its functions and words tell: equal bytes, equal fields of [`DOES`]. `None`: its values
-/// count.
-pub(super) fn words_of(block: &Executed<'_>) -> Option<Vec<u8>> {
+/// Adds what a block does, as far as its functions and words tell, to a key: equal bytes, equal fields of [`DOES`].
+/// Gives false where its values count.
+pub(super) fn add_words(block: &Executed<'_>, key: &mut Vec<u8>) -> bool {
     let valued = block.dwell().is_some()
         || block.m_at_stop().is_some()
         || block.opaque_call().is_some()
@@ -155,7 +128,7 @@ pub(super) fn words_of(block: &Executed<'_>) -> Option<Vec<u8>> {
         || block.data().is_some()
         || !block.words().is_empty();
     if valued {
-        return None;
+        return false;
     }
     let marks = [
         block.skippable(),
@@ -166,19 +139,16 @@ pub(super) fn words_of(block: &Executed<'_>) -> Option<Vec<u8>> {
         block.cond_stop(),
     ];
     let addresses = [Address::F, Address::S, Address::T, Address::H, Address::P, Address::D];
-    let mut words: Vec<u8> = marks.into_iter().map(u8::from).collect();
-    words.extend(addresses.map(|address| u8::from(block.written(address))));
-    let lists: [Vec<u8>; 4] = [
-        block.g_written().map(|code| code.number()).collect(),
-        block.m_written().to_vec(),
-        block.m_changed().to_vec(),
-        block.params().iter().map(|(index, _)| *index).collect(),
-    ];
-    for list in lists {
-        words.extend(small(list.len()).to_le_bytes());
-        words.extend(list);
+    key.extend(marks.into_iter().chain(addresses.map(|address| block.written(address))).map(u8::from));
+    key.extend(block.g_written().map(|code| code.number()));
+    key.push(u8::MAX);
+    for list in [block.m_written(), block.m_changed()] {
+        key.extend(small(list.len()).to_le_bytes());
+        key.extend(list);
     }
-    Some(words)
+    key.extend(block.params().iter().map(|(index, _)| *index));
+    key.push(u8::MAX);
+    true
 }
 
 /// The parts of a record.

@@ -10,18 +10,24 @@ use super::calls::Contexts;
 use super::column::Column;
 use super::files::Files;
 use super::hash::Hash;
-use super::parts::{Interned, StateKey, is_plain, parts, words_of};
+use super::noted::Noter;
+use super::parts::{Interned, StateKey, add_words, parts};
 use super::positions::{Known, Positions};
 use super::shapes::{ArcAxes, LengthUnit, ShapeKey};
 use super::tally::Tally;
-use crate::config::Axes;
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use super::turning::Turning;
+use crate::analysis::state::Unknown;
+use crate::config::Settings;
+use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::run::{Executed, Length, Motion, MotionType};
 use crate::stream::SingleRecord;
 use crate::sure::small;
 
 /// Rows that are remembered, so that equal ones are found, at most.
 const REMEMBERED: usize = 1 << 21;
+
+/// Blocks between two places whose path from the program's start is kept.
+pub(super) const APART: usize = 1 << 12;
 
 /// Which executed blocks a page holds.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,40 +54,6 @@ pub enum Keep {
     Geometry,
 }
 
-/// What tells a lathe.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Turning {
-    /// A plane of lathes is in force at power-up, or at the first working motion.
-    plane: bool,
-    worked: bool,
-    /// Axes besides X and Z move.
-    others: bool,
-    moved: bool,
-    /// G74 is in force at a motion: X is a diameter.
-    pub diameter: bool,
-}
-
-impl Turning {
-    /// Whether it is drawn as lathes are.
-    pub const fn is_lathe(self) -> bool {
-        self.diameter || (self.plane && self.moved && !self.others)
-    }
-
-    fn read(&mut self, block: &Executed<'_>, motion: Motion<'_>) {
-        let plane = |code: Option<GCode>| matches!(code, Some(GCode::G18 | GCode::G19));
-        if !self.moved {
-            let [_, power_up, ..] = block.settings().machine.power_up;
-            self.plane = plane(power_up);
-            self.moved = true;
-        }
-        if !self.worked && motion.kind() != MotionType::Rapid {
-            self.worked = true;
-            self.plane |= plane(block.g(GGroup::G1));
-        }
-        self.diameter |= block.g(GGroup::G10) == Some(GCode::G74);
-    }
-}
-
 /// The rows of a program.
 #[derive(Debug)]
 pub(super) struct Rows {
@@ -98,6 +70,9 @@ pub(super) struct Rows {
     pub extras: Interned<String>,
     /// Indices in `extras` of blocks that do nothing else than their words say.
     worded: HashMap<Vec<u8>, u32>,
+    /// Room for a key of theirs.
+    key: Vec<u8>,
+    noter: Noter,
     pub shapes: Interned<ShapeKey>,
     /// By index in `shapes`.
     pub shape_keys: Vec<ShapeKey>,
@@ -120,6 +95,10 @@ pub(super) struct Rows {
     pub row_of: Column,
     pub context_of: Column,
     pub left: Column,
+    /// The known path from the program's start to every so many blocks.
+    pub ways: Vec<Micro>,
+    /// The same to the last executed block.
+    pub way: Micro,
     /// Whether each executed block has a separate row.
     pub plain: bool,
     /// By block of the text: whether it was executed.
@@ -133,8 +112,9 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// For a machine with these axes.
-    pub fn new(axes: &Axes, part: Part, keep: Keep) -> Self {
+    /// Of a program that is executed with these settings.
+    pub fn new(settings: &Settings, part: Part, keep: Keep) -> Self {
+        let axes = &settings.machine.axes;
         let letters: Vec<AxisLetter> = axes.iter().map(|axis| axis.letter).collect();
         let linear = axes.iter().enumerate().filter(|(_, axis)| !axis.rotary).map(|(place, _)| place).take(3).collect();
         let mut rows = Self {
@@ -147,6 +127,8 @@ impl Rows {
             states_fed: Vec::new(),
             extras: Interned::default(),
             worded: HashMap::new(),
+            key: Vec::new(),
+            noter: Noter::new(settings),
             shapes: Interned::default(),
             shape_keys: Vec::new(),
             contexts: Contexts::default(),
@@ -163,6 +145,8 @@ impl Rows {
             row_of: Column::default(),
             context_of: Column::default(),
             left: Column::default(),
+            ways: Vec::new(),
+            way: Micro::ZERO,
             plain: true,
             visited: Vec::new(),
             equal: HashMap::new(),
@@ -172,7 +156,7 @@ impl Rows {
             records: SingleRecord::new(&letters),
             letters,
         };
-        rows.extras.get(String::new(), || Value::Object(Map::new()));
+        rows.extras.get("{}".to_owned(), || Value::Object(Map::new()));
         rows
     }
 
@@ -263,7 +247,18 @@ impl Rows {
             self.begin(block);
         }
         let after = self.known_after(block);
+        if self.keep == Keep::Records {
+            self.noter.arrive(block);
+            if inside && self.count().is_multiple_of(APART) {
+                self.ways.push(self.way);
+            }
+            let length = block.motion().and_then(|motion| motion.length().mm());
+            self.way = self.way.plus(length.unwrap_or_default());
+        }
         let again = inside && self.add_row(block, &after);
+        if self.keep == Keep::Records {
+            self.noter.pass(block);
+        }
         self.stand = after;
         again
     }
@@ -299,13 +294,10 @@ impl Rows {
         let moved = moved.unwrap_or_default();
         if let Some(motion) = block.motion() {
             self.turning.read(block, motion);
-            let letter = |axis: usize| self.letters.get(axis).copied();
-            let is_other = |axis: &usize| !matches!(letter(*axis), Some(AxisLetter::X | AxisLetter::Z));
-            let axes = (0..self.letters.len()).filter(|axis| moved.shape.axes & (1 << axis) != 0);
-            self.turning.others |= axes.clone().any(|axis| is_other(&axis));
         }
         let (known, coded) = (after.bits(), after.changed_from(&self.stand));
-        let key = ShapeKey { known, coded, opaque: block.is_opaque(), ..moved.shape };
+        let why = self.why(known);
+        let key = ShapeKey { known, coded, why, opaque: block.is_opaque(), ..moved.shape };
         let shape = self.shape(key, block);
         let Last { state, extra, feed, context } = match self.keep {
             Keep::Records => self.parts(block, moved.special),
@@ -448,26 +440,17 @@ impl Rows {
     }
 
     fn extra(&mut self, block: &Executed<'_>, special: Special) -> u32 {
+        let mut key = std::mem::take(&mut self.key);
+        key.clear();
+        let worded = special == Special::default() && add_words(block, &mut key);
+        if worded {
+            self.noter.add_key(block, &mut key);
+            if let Some(known) = self.worded.get(&key).copied() {
+                self.key = key;
+                return known;
+            }
+        }
         let params = block.params();
-        if special == Special::default() && is_plain(block) {
-            let written = block.written(Address::F);
-            let mut key = String::from(if written { "f" } else { "" });
-            params.iter().for_each(|(index, _)| key.push(char::from(*index)));
-            return self.extras.get(key, || {
-                let mut fields = Map::new();
-                if written {
-                    fields.insert("f_set".to_owned(), Value::Bool(true));
-                }
-                if !params.is_empty() {
-                    fields.insert("params".to_owned(), params_named(params));
-                }
-                Value::Object(fields)
-            });
-        }
-        let words = words_of(block).filter(|_| special == Special::default());
-        if let Some(known) = words.as_ref().and_then(|words| self.worded.get(words)) {
-            return *known;
-        }
         let mut parts = parts(self.records.of(block));
         if !params.is_empty() {
             parts.does.insert("params".to_owned(), params_named(params));
@@ -483,10 +466,23 @@ impl Rows {
         if !motion.is_empty() {
             parts.does.insert("motion".to_owned(), Value::Object(motion));
         }
+        parts.does.extend(self.noter.fields(block).map(|noted| ("noted".to_owned(), noted)));
         let value = Value::Object(parts.does);
         let extra = self.extras.get(value.to_string(), || value);
-        self.worded.extend(words.map(|words| (words, extra)));
+        if worded {
+            self.worded.insert(key, extra);
+        }
         extra
+    }
+
+    /// Why axes are not known after a block.
+    fn why(&self, known: u16) -> [Unknown; AxisLetter::ALL.len()] {
+        let mut why = [Unknown::default(); AxisLetter::ALL.len()];
+        if self.keep == Keep::Records {
+            let unknown = self.letters.iter().zip(&mut why).enumerate().filter(|(axis, _)| known & (1 << axis) == 0);
+            unknown.for_each(|(_, (letter, why))| *why = self.noter.why(*letter));
+        }
+        why
     }
 
     /// The values that the page computes of a motion, and those where it would be wrong.

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value};
 
+use crate::analysis::state::Unknown;
 use crate::dict::AxisLetter;
 use crate::run::{Missing, MotionType};
 
@@ -33,6 +34,8 @@ pub(super) struct ShapeKey {
     pub known: u16,
     /// Those whose position is in the column of positions.
     pub coded: u16,
+    /// Why the others are not known after the block.
+    pub why: [Unknown; AxisLetter::ALL.len()],
     pub length: Option<LengthUnit>,
     pub missing: Option<Missing>,
     pub plane: Option<(usize, usize)>,
@@ -57,6 +60,12 @@ impl ShapeKey {
             if bits != 0 {
                 shape.insert(name.to_owned(), Value::String(named(bits)));
             }
+        }
+        let unknown = letters.iter().zip(self.why).filter(|(_, why)| *why != Unknown::default());
+        let unknown: Map<String, Value> =
+            unknown.map(|(letter, why)| (letter.to_string(), Value::from(why.name()))).collect();
+        if !unknown.is_empty() {
+            shape.insert("w".to_owned(), Value::Object(unknown));
         }
         if self.kind.is_some() {
             shape.insert("m".to_owned(), Value::Object(motion));

@@ -310,7 +310,9 @@ test('what holds at a block: who wrote it, what comes next, how to start there',
   assert.match(state, /Parameters\s+R5\s+12\.5 N10\s+R6\s+3 N30/);
   assert.match(state, /next tool change\s+N40/);
   assert.match(state, /next rapid\s+N50/);
-  assert.match(state, /blocks left\s+3/);
+  assert.match(state, /blocks\s+3\s+3\s+path/);
+  assert.match(state, /this tool\s+blocks\s+3\s+0/);
+  assert.match(state, /F\s+100 mm\/min N20\s+S\s+not programmed yet/);
   const writer = await tab.evaluate(
     () => [...document.querySelectorAll('.state .chip')].find((chip) => chip.textContent === 'G01').title,
   );

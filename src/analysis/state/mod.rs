@@ -27,4 +27,4 @@ pub use reader::StateReader;
 pub use text::text;
 pub use unknown::{Axes, Unknown};
 pub use words::{fault_text, passes_text};
-pub use writers::{Slot, Written};
+pub use writers::{Slot, Written, each_written};

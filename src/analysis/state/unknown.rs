@@ -7,7 +7,7 @@ use crate::run::{AxisSet, Executed, MotionType, Passed};
 
 named! {
     /// Why the position of an axis is not known.
-    #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+    #[derive(Clone, Copy, Debug, Default, Eq, Hash, PartialEq)]
     pub enum Unknown {
         /// Not programmed yet (MOT-2).
         #[default]

@@ -78,7 +78,8 @@ impl Slot {
         BY_WORD.get(address as usize).copied().flatten().map(Self::Value)
     }
 
-    fn index(self) -> usize {
+    /// Its place among all.
+    pub fn index(self) -> usize {
         match self {
             Self::G(group) => group,
             Self::M(group) => 12 + group,
@@ -142,11 +143,10 @@ impl Writers {
         for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
             self.set(Slot::Axis(axis), writer);
         }
-        // What holds for its block alone is no more in force, and what it hid was written by another.
-        let lasting = block.g_written().filter(|code| code.lasting() != Lasting::Block);
-        lasting.for_each(|code| self.set(Slot::G(code.group().index()), writer));
-        if !block.moves_on() {
-            self.note_words(block, before, elsewhere, writer);
+        each_written(block, before, elsewhere, |slot| self.set(slot, writer));
+        if block.last() {
+            (0..12).for_each(|group| self.set(Slot::G(group), writer));
+            block.m_changed().iter().for_each(|group| self.set(Slot::M(usize::from(*group)), writer));
         }
     }
 
@@ -166,43 +166,6 @@ impl Writers {
         }
     }
 
-    fn note_words(&mut self, block: &Executed<'_>, before: &State, elsewhere: AxisSet, writer: Writer) {
-        let functions = &block.settings().machine.m_functions;
-        for &number in block.m_written() {
-            self.set(Slot::M(usize::from(functions.group(number))), writer);
-            if number == TOOL_CHANGE {
-                self.set(Slot::value("tool"), writer);
-            }
-        }
-        if block.last() {
-            (0..12).for_each(|group| self.set(Slot::G(group), writer));
-            block.m_changed().iter().for_each(|group| self.set(Slot::M(usize::from(*group)), writer));
-        }
-        for word in block.source_words() {
-            if let Some(slot) = Slot::by_word(word.address) {
-                self.set(slot, writer);
-            }
-        }
-        let after = block.state();
-        let arc = || block.motion().is_some_and(|motion| motion.kind().is_arc());
-        let chooses = || block.g_written().any(|code| code == GCode::G23) && block.written(Address::I) && !arc();
-        if before.chosen_dynamic_set() != after.chosen_dynamic_set() || chooses() {
-            self.set(Slot::value("dynamic_set"), writer);
-        }
-        block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
-        if block.has_parameters() {
-            let assigned = block.source_words().iter().filter(|word| word.address == Address::R);
-            let lost = (0..96).filter(|index| after.is_lost(*index) && !before.is_lost(*index));
-            assigned.map(|word| word.target()).chain(lost).for_each(|index| self.set(Slot::R(index), writer));
-        }
-        let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
-        let stands = stands.iter().filter_map(|(letter, _)| AxisLetter::from_letter(*letter));
-        stands.for_each(|axis| self.set(Slot::Axis(axis), writer));
-        let axes = &block.settings().machine.axes;
-        let left = elsewhere.places().filter_map(|place| axes.get(place));
-        left.for_each(|axis| self.set(Slot::Axis(axis.letter), writer));
-    }
-
     /// Who wrote each of `slots`, as far as somebody did. `block`: one of the same execution.
     pub fn of(&self, slots: impl Iterator<Item = Slot>, block: &Executed<'_>) -> Vec<(Slot, Written)> {
         let written = |slot: Slot| {
@@ -219,6 +182,47 @@ impl Writers {
         };
         slots.filter_map(written).collect()
     }
+}
+
+/// Calls `each` with what a block writes besides the axes of its motion, perhaps more than once; `before`: what was in
+/// force before it; `elsewhere`: the axes that it left elsewhere.
+#[inline]
+pub fn each_written(block: &Executed<'_>, before: &State, elsewhere: AxisSet, mut each: impl FnMut(Slot)) {
+    // What holds for its block alone is no more in force, and what it hid was written by another.
+    let lasting = block.g_written().filter(|code| code.lasting() != Lasting::Block);
+    lasting.for_each(|code| each(Slot::G(code.group().index())));
+    if !block.moves_on() {
+        each_by_words(block, before, elsewhere, each);
+    }
+}
+
+fn each_by_words(block: &Executed<'_>, before: &State, elsewhere: AxisSet, mut each: impl FnMut(Slot)) {
+    let functions = &block.settings().machine.m_functions;
+    for &number in block.m_written() {
+        each(Slot::M(usize::from(functions.group(number))));
+        if number == TOOL_CHANGE {
+            each(Slot::value("tool"));
+        }
+    }
+    block.source_words().iter().filter_map(|word| Slot::by_word(word.address)).for_each(&mut each);
+    let after = block.state();
+    let arc = || block.motion().is_some_and(|motion| motion.kind().is_arc());
+    let chooses = || block.g_written().any(|code| code == GCode::G23) && block.written(Address::I) && !arc();
+    if before.chosen_dynamic_set() != after.chosen_dynamic_set() || chooses() {
+        each(Slot::value("dynamic_set"));
+    }
+    block.params().iter().for_each(|(index, _)| each(Slot::R(*index)));
+    if block.has_parameters() {
+        let assigned = block.source_words().iter().filter(|word| word.address == Address::R);
+        let lost = (0..96).filter(|index| after.is_lost(*index) && !before.is_lost(*index));
+        assigned.map(|word| word.target()).chain(lost).for_each(|index| each(Slot::R(index)));
+    }
+    let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
+    let stands = stands.iter().filter_map(|(letter, _)| AxisLetter::from_letter(*letter));
+    stands.for_each(|axis| each(Slot::Axis(axis)));
+    let axes = &block.settings().machine.axes;
+    let left = elsewhere.places().filter_map(|place| axes.get(place));
+    left.for_each(|axis| each(Slot::Axis(axis.letter)));
 }
 
 /// The innermost call that a block was executed in.

@@ -14,6 +14,8 @@ export interface Shape {
   k?: string;
   /** Letters of those whose value is in the column of positions; the others stand where they stood. */
   c?: string;
+  /** Why axes that are not known are not, by letter; without a reason they are not programmed yet. */
+  w?: { [letter: string]: string };
   /** The motion, without numbers. */
   m?: Fields;
   /** Letters of the axes whose start is known. */
@@ -28,6 +30,16 @@ export interface Shape {
   u?: true;
   /** The motion starts where the tool does not stand, behind a change of origin. */
   o?: true;
+}
+
+/** What a block does beside its record, by the names that `cnc872c state` gives. */
+export interface Noted {
+  /** What it writes, besides the positions of the axes that it moves. */
+  written?: string[];
+  /** Parameters whose value is not known any more. */
+  lost?: string[];
+  /** Parameters that are read from the machine's table from here on. */
+  read?: string[];
 }
 
 /** What a finding says, in both languages. */
@@ -110,7 +122,8 @@ export interface Header {
   /** The program ended with M02 or M30; else with an error. */
   whole: boolean;
   states: Fields[];
-  extras: Fields[];
+  /** What blocks do. `noted` is no field of records. */
+  extras: (Fields & { noted?: Fields & Noted })[];
   shapes: Shape[];
   calls: { by: string; l: number }[];
   codes: TimeCode[];
@@ -120,6 +133,8 @@ export interface Header {
   start_s: number;
   /** The rest of the stretch in which the page ends: the velocity at its first joint, in parts of a mm/min; seconds. */
   beyond: { feed: number; rest_s: number };
+  /** The known path from the program's start to every so many blocks of the page, and to the program's end. */
+  ways: { apart: number; mm: number[] };
   /** By letter: what the numbers in the text are foretold from. */
   foretold: { [letter: string]: 'row' };
   /** Parts of a millimetre or degree that numbers count, by column. */

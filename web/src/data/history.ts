@@ -1,17 +1,7 @@
-// Who wrote what is in force at a block, and what comes next: one look back and one ahead, without records.
+// What led to what holds behind a block, and what comes next: looks back and ahead, without records.
 
 import type { Json } from './header.ts';
 import type { Program } from './program.ts';
-
-/** What a block writes, by extra: names as `G1`, `M8`, `F`. */
-const WORDS: readonly [field: string, name: string][] = [
-  ['f_set', 'F'],
-  ['s_set', 'S'],
-  ['t_set', 'T'],
-  ['d_set', 'D'],
-  ['h_set', 'H'],
-  ['p_set', 'P'],
-];
 
 /** What comes next behind a block, as indices. */
 export interface Ahead {
@@ -20,60 +10,195 @@ export interface Ahead {
   rapid: number | undefined;
 }
 
+/** A parameter: its value, or why that is not known. */
+export type Parameter = number | 'lost' | 'read';
+
+/** A jump whose counter is armed: the block that arrived there last, how many jumps are left, of how many. */
+export interface Counter {
+  index: number;
+  left: number;
+  of: number;
+}
+
+/** Blocks between two places for which it is kept who wrote what. */
+const APART = 1 << 13;
+
 export class History {
   readonly #program: Program;
-  /** By extra: what is written, and whether parameters are. */
-  readonly #written: string[][];
-  readonly #params: boolean[];
+  /** Places in `names`: of what each extra writes, and each shape moves. */
+  readonly #byExtra: readonly number[][];
+  readonly #byShape: readonly number[][];
+  /** What blocks write, by the names that `cnc872c state` gives: `g0`, `m2`, `feed`, `R10`, `X`; `read R3` of the machine's. */
+  readonly #names: string[] = [];
+  readonly #places = new Map<string, number>();
+  /** By name: the last block that wrote it before every so many blocks, -1 where none did. */
+  #kept: Int32Array[] | undefined;
   readonly #tools: boolean[];
   readonly #stops: boolean[];
+  /** By block: whether it makes a counted jump somewhere. */
+  #counted: Uint8Array | undefined;
 
   constructor(program: Program) {
     this.#program = program;
-    const { extras, program: facts } = program.header;
+    const { extras, program: facts, shapes } = program.header;
     const stopsAtM01 = facts['optional_stop'] === true;
     const numbers = (value: Json | undefined): number[] => (Array.isArray(value) ? (value as number[]) : []);
-    this.#written = extras.map((extra) => [
-      ...numbers(extra['g_set']).map((code) => `G${code}`),
-      ...numbers(extra['m_set']).map((code) => `M${code}`),
-      ...WORDS.filter(([field]) => extra[field] === true).map(([, name]) => name),
-    ]);
-    this.#params = extras.map((extra) => Array.isArray(extra['params']));
+    const places = (names: readonly string[]): number[] => names.map((name) => this.#place(name));
+    this.#byExtra = extras.map(({ noted }) =>
+      places([...(noted?.written ?? []), ...(noted?.read ?? []).map((name) => `read ${name}`)]),
+    );
+    this.#byShape = shapes.map((shape) => places((shape.m?.['axes'] ?? []) as string[]));
     this.#tools = extras.map((extra) => numbers(extra['m_set']).includes(6));
     this.#stops = extras.map((extra) => extra['stop'] === true || (stopsAtM01 && extra['cond_stop'] === true));
   }
 
-  /** The executed blocks that last wrote these, up to a block; those that nobody wrote are left out. */
-  writers(index: number, names: ReadonlySet<string>): Map<string, number> {
+  #place(name: string): number {
+    let place = this.#places.get(name);
+    if (place === undefined) {
+      place = this.#names.push(name) - 1;
+      this.#places.set(name, place);
+    }
+    return place;
+  }
+
+  /** Whether the program moves an axis, or says where it stands. */
+  moves(letter: string): boolean {
+    return this.#places.has(letter);
+  }
+
+  /** Whether the program changes tools. */
+  get changesTools(): boolean {
+    return this.#tools.includes(true);
+  }
+
+  /** Notes in `last` what the blocks of a range write. */
+  #note(last: Int32Array, from: number, to: number): void {
     const program = this.#program;
-    const found = new Map<string, number>();
-    for (let at = index; at >= 0 && found.size < names.size; at -= 1) {
-      for (const name of this.#written[program.extra[program.rowOf(at)]!]!) {
-        if (names.has(name) && !found.has(name)) {
-          found.set(name, at);
+    for (let index = from; index < to; index += 1) {
+      const row = program.rowOf(index);
+      for (const place of this.#byExtra[program.extra[row]!]!) {
+        last[place] = index;
+      }
+      for (const place of this.#byShape[program.shape[row]!]!) {
+        last[place] = index;
+      }
+    }
+  }
+
+  /** By name: the executed block that last wrote it, up to a block; -1 where no block of the page did. */
+  #last(index: number): Int32Array {
+    if (this.#kept === undefined) {
+      const last = new Int32Array(this.#names.length).fill(-1);
+      this.#kept = [last.slice()];
+      for (let from = 0; from + APART <= this.#program.count; from += APART) {
+        this.#note(last, from, from + APART);
+        this.#kept.push(last.slice());
+      }
+    }
+    const kept = Math.floor((index + 1) / APART);
+    const last = this.#kept[kept]!.slice();
+    this.#note(last, kept * APART, index + 1);
+    return last;
+  }
+
+  /** The executed blocks that last wrote what is in force behind a block, by names as `cnc872c state` gives them. */
+  writers(index: number): (name: string) => number | undefined {
+    const last = this.#last(index);
+    return (name) => {
+      const place = this.#places.get(name);
+      const writer = place === undefined ? -1 : last[place]!;
+      return writer < 0 ? undefined : writer;
+    };
+  }
+
+  /** The parameters that the program wrote or read up to a block, ascending. */
+  parameters(index: number): [name: string, value: Parameter][] {
+    const program = this.#program;
+    const writers = this.writers(index);
+    const found: [string, Parameter][] = [];
+    for (const name of this.#names.filter((name) => /^R\d/.test(name))) {
+      const writer = writers(name);
+      if (writer !== undefined) {
+        found.push([name, (program.paramsOf(program.rowOf(writer))[name] as number | undefined) ?? 'lost']);
+      }
+    }
+    for (const read of this.#names.filter((name) => name.startsWith('read '))) {
+      const name = read.slice('read '.length);
+      if (writers(read) !== undefined && writers(name) === undefined) {
+        found.push([name, 'read']);
+      }
+    }
+    return found.sort(([a], [b]) => Number(a.slice(1)) - Number(b.slice(1)));
+  }
+
+  /** The armed counters of the program and of the open calls behind a block, outermost first. */
+  counters(index: number): Counter[] {
+    const program = this.#program;
+    const found: Counter[] = [];
+    let frame = program.contextOf(index);
+    // By block: the last arrival at its jump in the frame, and the first since its counter was armed.
+    let jumps = new Map<number, { last: number; first: number; open: boolean }>();
+    this.#counted ??= program.countedJumps();
+    const counted = this.#counted;
+    const leave = (): void => {
+      const armed = [...jumps].filter(([, { last }]) => program.leftOf(last) !== undefined).sort(([a], [b]) => a - b);
+      found.unshift(
+        ...armed.map(([, { last, first }]) => ({
+          index: last,
+          left: program.leftOf(last)!,
+          of: program.leftOf(first)! + 1,
+        })),
+      );
+      jumps = new Map();
+    };
+    for (let at = counted.includes(1) ? index : -1; at >= 0; at -= 1) {
+      const context = program.contextOf(at);
+      while (!this.#isWithin(context, frame)) {
+        leave();
+        frame = program.parentOf(frame);
+      }
+      const block = program.block[program.rowOf(at)]!;
+      if (context === frame && counted[block]) {
+        const left = program.leftOf(at);
+        const jump = jumps.get(block);
+        if (jump === undefined) {
+          jumps.set(block, { last: at, first: at, open: left !== undefined });
+        } else if (jump.open && left === program.leftOf(jump.first)! + 1) {
+          jump.first = at;
+        } else {
+          jump.open = false;
         }
       }
     }
+    leave();
     return found;
   }
 
-  /** The parameters that the program wrote up to a block, with their values and who wrote them, ascending. */
-  parameters(index: number): [name: string, value: number, at: number][] {
-    const program = this.#program;
-    const found = new Map<string, [string, number, number]>();
-    if (this.#params.includes(true)) {
-      for (let at = index; at >= 0; at -= 1) {
-        const row = program.rowOf(at);
-        if (this.#params[program.extra[row]!]) {
-          for (const [name, value] of Object.entries(program.paramsOf(row))) {
-            if (!found.has(name)) {
-              found.set(name, [name, value as number, at]);
-            }
-          }
-        }
-      }
+  /** Whether a context is another one, or lies within its calls. */
+  #isWithin(context: number, frame: number): boolean {
+    let at = context;
+    while (at > frame) {
+      at = this.#program.parentOf(at);
     }
-    return [...found.values()].sort(([a], [b]) => Number(a.slice(1)) - Number(b.slice(1)));
+    return at === frame;
+  }
+
+  /** The known path from the program's start to before a block of the page, in mm. */
+  pathBefore(index: number): number {
+    const program = this.#program;
+    const { apart, mm } = program.header.ways;
+    const place = Math.min(Math.floor(index / apart), mm.length - 2);
+    let path = mm[place]!;
+    for (let at = place * apart; at < index; at += 1) {
+      path += program.knownWay(program.rowOf(at));
+    }
+    return path;
+  }
+
+  /** The known path of the whole program, in mm. */
+  get path(): number {
+    const { mm } = this.#program.header.ways;
+    return mm[mm.length - 1]!;
   }
 
   /** The next tool change, stop and rapid motion behind a block. */

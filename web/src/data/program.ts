@@ -196,6 +196,11 @@ export class Program {
     return this.header.shapes[this.shape[row]!]!;
   }
 
+  /** Whether the page holds the whole program. */
+  get isWhole(): boolean {
+    return this.from === 0 && this.count === this.header.blocks;
+  }
+
   /** Whether a row moves rotary axes only: its velocities are degrees a minute. */
   turns(row: number): boolean {
     return this.turnsBy(this.shape[row]!);
@@ -361,6 +366,28 @@ export class Program {
     return { keyOf, start, members };
   }
 
+  /** What led to the block with the last call of a context. */
+  parentOf(context: number): number {
+    return this.#contexts.parent[context - 1] ?? 0;
+  }
+
+  /** The counter of the jump that an executed block makes; nothing of others. */
+  leftOf(index: number): number | undefined {
+    const left = this.#left[index] ?? 0;
+    return left > 0 ? left - 1 : undefined;
+  }
+
+  /** By block: 1 where it makes a counted jump somewhere. */
+  countedJumps(): Uint8Array {
+    const counted = new Uint8Array(this.n.length);
+    for (let index = 0; index < this.#left.length; index += 1) {
+      if (this.#left[index]! > 0) {
+        counted[this.block[this.rowOf(index)]!] = 1;
+      }
+    }
+    return counted;
+  }
+
   /** The calls that led to an executed block, outermost first. */
   calls(index: number): Fields[] {
     const calls: Fields[] = [];
@@ -402,7 +429,7 @@ export class Program {
     }
     const shape = this.shapeOf(row);
     const state = this.header.states[this.state[row]!]!;
-    const { motion: about, ...extra } = this.header.extras[this.extra[row]!]! as Fields & { motion?: Fields };
+    const { motion: about, noted: _, ...extra } = this.header.extras[this.extra[row]!]! as Fields & { motion?: Fields };
     Object.assign(record, structuredClone(state), structuredClone(extra));
     if (Array.isArray(extra['params'])) {
       record['params'] = this.paramsOf(row);
@@ -411,9 +438,9 @@ export class Program {
     if (comments.length > 0) {
       record['comments'] = comments;
     }
-    const left = this.#left[index] ?? 0;
-    if (left > 0) {
-      (record['jump'] as Fields)['left'] = left - 1;
+    const left = this.leftOf(index);
+    if (left !== undefined) {
+      (record['jump'] as Fields)['left'] = left;
     }
     if (this.from + index === 0) {
       record['first_block'] = true;
@@ -546,9 +573,12 @@ export class Program {
   /** The way of a row's motion in millimetres: 0 of one that has none or only turns, nothing when it is not known. */
   way(row: number): number | undefined {
     const shape = this.shapeOf(row);
-    if (shape.u === true || shape.m?.['length_missing'] !== undefined) {
-      return undefined;
-    }
+    return shape.u === true || shape.m?.['length_missing'] !== undefined ? undefined : this.knownWay(row);
+  }
+
+  /** The way of a row's motion in millimetres as far as it is known. */
+  knownWay(row: number): number {
+    const shape = this.shapeOf(row);
     const kept = this.header.extras[this.extra[row]!]!['motion'] as Fields | undefined;
     return shape.l === 'deg' || kept?.['length_deg'] !== undefined ? 0 : this.lengthOf(row);
   }

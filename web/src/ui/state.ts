@@ -21,6 +21,20 @@ export function currentRecord(app: App): Fields | null {
   };
 }
 
+/** The values beside functions, by the names of records and of `cnc872c state`; whether those not programmed are told. */
+const VALUES: readonly [name: string, field: string, always: boolean][] = [
+  ['F', 'feed', true],
+  ['S', 's', true],
+  ['', 'gear', false],
+  ['T', 't', true],
+  ['T (M06)', 'tool', true],
+  ['D', 'd', false],
+  ['H', 'h', false],
+  ['P', 'p', false],
+  ['&', 'length_correction', false],
+  ['I (G23)', 'dynamic_set', false],
+];
+
 const two = (value: number): string => String(value).padStart(2, '0');
 const at = (record: Fields, name: string): Fields => (record[name] ?? {}) as Fields;
 const list = (record: Fields, name: string): number[] => (record[name] ?? []) as number[];
@@ -58,13 +72,14 @@ export class State {
     const parts = [
       this.#head(record),
       this.#position(record),
-      this.#functions(record, 'gGroups', 'G', list(record, 'g'), new Set(list(record, 'g_set'))),
-      this.#functions(record, 'mGroups', 'M', list(record, 'm').slice(1), new Set(list(record, 'm_set'))),
+      this.#functions('gGroups', 'G', list(record, 'g'), new Set(list(record, 'g_set'))),
+      this.#functions('mGroups', 'M', list(record, 'm'), new Set(list(record, 'm_set'))),
       this.#words(record),
       this.#motion(record),
       this.#velocity(record),
       this.#parameters(),
-      this.#ahead(),
+      this.#counters(),
+      this.#progress(),
       this.#restart(record),
     ];
     rebuild(this.element, ...parts.filter((part) => part !== null));
@@ -145,19 +160,43 @@ export class State {
   }
 
   #position(record: Fields): HTMLElement {
+    const { header, history, program } = this.#app;
+    const index = this.#app.current!;
     const position = at(record, 'position');
     const moved = new Set((at(record, 'motion')['axes'] ?? []) as string[]);
-    const cells = this.#app.header.program.axes
-      .filter(({ letter }) => letter in position || moved.has(letter))
-      .map(({ letter, kind }) => {
-        const value = position[letter];
-        const text = typeof value === 'number' ? `${value.toFixed(3)}${kind === 'rotary' ? '°' : ''}` : t('unknown');
-        // Positions are radii, also where X is programmed as a diameter.
-        const diameter = letter === 'X' && typeof value === 'number' && list(record, 'g').includes(74);
-        const also = diameter ? h('span', {}, `Ø ${(2 * value).toFixed(3)}`) : null;
-        return h('span', { class: moved.has(letter) ? 'cell moved' : 'cell' }, h('b', {}, letter), text, also);
-      });
+    const why = program.shapeOf(program.rowOf(index)).w ?? {};
+    const axes = header.program.axes.filter(({ letter }) => letter in position || history.moves(letter));
+    const writers = history.writers(index);
+    const cells = axes.map(({ letter, kind }) => {
+      const value = position[letter];
+      const known = typeof value === 'number';
+      const text = known
+        ? `${value.toFixed(3)}${kind === 'rotary' ? '°' : ''}`
+        : `${t('unknown')}: ${t(`unknown_${why[letter] ?? 'not_programmed'}` as Key)}`;
+      // Positions are radii, also where X is programmed as a diameter.
+      const diameter = letter === 'X' && known && list(record, 'g').includes(74);
+      const also = diameter ? h('span', {}, `Ø ${(2 * value).toFixed(3)}`) : null;
+      const attributes = { class: moved.has(letter) ? 'cell moved' : 'cell' };
+      return this.#writtenBy(known ? writers(letter) : undefined, known, attributes, h('b', {}, letter), text, also);
+    });
     return this.#section('position', h('div', { class: 'cells' }, ...cells));
+  }
+
+  /** What a block wrote: leads to the block, and names it. */
+  #writtenBy(
+    writer: number | undefined,
+    holds: boolean,
+    attributes: Record<string, string>,
+    ...children: (Node | string | null)[]
+  ): HTMLElement {
+    if (writer !== undefined) {
+      const title = `${t('writtenBy')} N${this.#app.program.n[this.#app.place(writer).block]!}`;
+      const onclick = (): void => this.#app.select(writer);
+      return h('button', { ...attributes, title, type: 'button', onclick }, ...children);
+    }
+    // What blocks before the page wrote, nobody tells.
+    const title = holds && this.#app.program.from === 0 ? t('powerUp') : undefined;
+    return h('span', { ...attributes, title }, ...children);
   }
 
   /** A block by its number, for taking it in hand. */
@@ -172,46 +211,53 @@ export class State {
     );
   }
 
-  #functions(_: Fields, key: Key, letter: string, values: (number | null)[], written: Set<number>): HTMLElement {
-    const inForce = values.filter((value) => value !== null);
-    const names = new Set(inForce.map((value) => `${letter}${value}`));
-    const writers = this.#app.history.writers(this.#app.current!, names);
-    const cells = inForce.map((value) => {
-      const writer = writers.get(`${letter}${value}`);
-      const by =
-        writer === undefined
-          ? t('powerUp')
-          : `${t('writtenBy')} N${this.#app.program.n[this.#app.place(writer).block]!}`;
-      const name = `${letter}${two(value)}`;
-      const attributes = { class: written.has(value) ? 'chip written' : 'chip', title: by };
-      return writer === undefined
-        ? h('span', attributes, name)
-        : h('button', { ...attributes, type: 'button', onclick: () => this.#app.select(writer) }, name);
+  /** The functions in force by group. */
+  #functions(key: Key, letter: 'G' | 'M', values: (number | null)[], written: Set<number>): HTMLElement {
+    const index = this.#app.current!;
+    const slot = (group: number): string => `${letter.toLowerCase()}${group}`;
+    const inForce = values.flatMap((value, group) => (value === null ? [] : [{ value, group }]));
+    const writers = this.#app.history.writers(index);
+    const cells = inForce.map(({ value, group }) => {
+      const isOwn = written.has(value);
+      const writer = isOwn ? index : writers(slot(group));
+      return this.#writtenBy(writer, true, { class: isOwn ? 'chip written' : 'chip' }, `${letter}${two(value)}`);
     });
     return this.#section(key, h('div', { class: 'chips' }, ...cells));
   }
 
-  #words(record: Fields): HTMLElement | null {
-    const rows: [string, string][] = [];
-    if (typeof record['feed'] === 'number') {
-      const scale = typeof record['feed_scale'] === 'number' ? ` × ${record['feed_scale']}` : '';
-      rows.push(['F', `${shown(record['feed'])} ${String(record['feed_unit'] ?? '')}${scale}`]);
-    }
-    for (const [name, field] of [
-      ['S', 's'],
-      ['T', 't'],
-      ['T (M06)', 'tool'],
-      ['D', 'd'],
-      ['H', 'h'],
-      ['P', 'p'],
-      ['&', 'length_correction'],
-      ['I (G23)', 'dynamic_set'],
-    ] as const) {
-      if (record[field] !== undefined) {
-        rows.push([name, String(record[field])]);
+  #words(record: Fields): HTMLElement {
+    const { history } = this.#app;
+    const index = this.#app.current!;
+    const value = (field: string): string | undefined => {
+      const known = record[field];
+      if (typeof known !== 'number') {
+        return undefined;
       }
-    }
-    return rows.length === 0 ? null : this.#section('words', this.#rows(rows));
+      switch (field) {
+        case 'feed': {
+          const scale = typeof record['feed_scale'] === 'number' ? ` × ${record['feed_scale']}` : '';
+          return `${shown(known)} ${String(record['feed_unit'] ?? '')}${scale}`;
+        }
+        case 'length_correction':
+          return String(known).padStart(4, '0');
+        default:
+          return String(known);
+      }
+    };
+    const writers = history.writers(index);
+    const rows = VALUES.flatMap(([name, field, always]) => {
+      const [known, writer] = [value(field), writers(field)];
+      // The set of motions in G00 is not the one that a block chose.
+      if (known === undefined && (field === 'dynamic_set' || (!always && writer === undefined))) {
+        return [];
+      }
+      const nothing = writer === undefined ? t('unknown_not_programmed') : t('unknownHere');
+      return [
+        h('dt', {}, name === '' ? t('gear') : name),
+        h('dd', {}, `${known ?? nothing} `, writer === undefined ? null : this.#link(writer)),
+      ];
+    });
+    return this.#section('words', h('dl', {}, ...rows));
   }
 
   #motion(record: Fields): HTMLElement | null {
@@ -293,37 +339,70 @@ export class State {
 
   /** The parameters that the program has written so far. */
   #parameters(): HTMLElement | null {
-    const found = this.#app.history.parameters(this.#app.current!);
-    const rows = found.flatMap(([name, value, index]) => [
-      h('dt', {}, name),
-      h('dd', {}, `${value} `, this.#link(index)),
-    ]);
+    const { history } = this.#app;
+    const index = this.#app.current!;
+    const found = history.parameters(index);
+    const writers = history.writers(index);
+    const rows = found.flatMap(([name, value]) => {
+      const writer = value === 'read' ? undefined : writers(name);
+      const text = value === 'lost' ? t('unknownHere') : value === 'read' ? t('fromMachine') : String(value);
+      return [h('dt', {}, name), h('dd', {}, `${text} `, writer === undefined ? null : this.#link(writer))];
+    });
     return rows.length === 0 ? null : this.#section('parameters', h('dl', {}, ...rows));
   }
 
-  /** What is left, and what comes next. */
-  #ahead(): HTMLElement | null {
+  /** The counters of jumps that are armed. */
+  #counters(): HTMLElement | null {
+    const rows = this.#app.history
+      .counters(this.#app.current!)
+      .flatMap(({ index, left, of }) => [h('dt', {}, this.#link(index)), h('dd', {}, t('counter', { left, of }))]);
+    return rows.length === 0 ? null : this.#section('counters', h('dl', {}, ...rows));
+  }
+
+  /** What is done and what is left, in all and for the tool in the spindle, and what comes next. */
+  #progress(): HTMLElement {
     const { header, history, program, times } = this.#app;
     const { start_s, total } = header;
-    const index = this.#app.current!;
-    const rows: [Key, string | HTMLElement][] = [['blocksLeft', local(header.blocks - program.from - index - 1, 0)]];
-    const whole = total?.['time_s'];
-    if (times !== undefined && typeof whole === 'number') {
-      const left = whole - start_s - times.startOf(index) - times.durationOf(index);
-      rows.push(['timeLeft', least(clock(Math.max(left, 0)), total?.['at_least'] === true)]);
+    const behind = this.#app.current! + 1;
+    const whole = Number(total?.['time_s'] ?? 0);
+    const more = total?.['at_least'] === true || !header.whole;
+    // Name, how much comes before a block, how much there is, and how that is said.
+    const quantities: [Key, (index: number) => number, number, (value: number) => string][] = [
+      ['blocksDone', (index) => program.from + index, header.blocks, (value) => local(value, 0)],
+      ['pathDone', (index) => history.pathBefore(index), history.path, (value) => `${shown(value)} mm`],
+    ];
+    if (times !== undefined) {
+      quantities.push(['timeDone', (index) => start_s + times.startOf(index), whole, clock]);
     }
-    const { tool, stop, rapid } = history.ahead(index);
-    for (const [key, next] of [
-      ['nextTool', tool],
-      ['nextStop', stop],
-      ['nextRapid', rapid],
-    ] as const) {
-      if (next !== undefined) {
-        rows.push([key, this.#link(next)]);
+    const { tool, stop, rapid } = history.ahead(behind - 1);
+    const change = history.writers(behind - 1)('tool') ?? 0;
+    const row = (name: string, done: number, left: number, say: (value: number) => string): HTMLElement =>
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'row' }, name),
+        ...[done, left].map((value) => h('td', {}, say(Math.max(value, 0)))),
+      );
+    const rows = quantities.map(([key, before, end, say]) => row(t(key), before(behind), end - before(behind), say));
+    if (history.changesTools && program.isWhole) {
+      rows.push(h('tr', {}, h('th', { colspan: 3, scope: 'rowgroup' }, t('thisTool'))));
+      for (const [key, before, end, say] of quantities) {
+        const until = tool === undefined ? end : before(tool);
+        rows.push(row(t(key), before(behind) - before(change), until - before(behind), say));
       }
     }
-    const items = rows.flatMap(([key, value]) => [h('dt', {}, t(key)), h('dd', {}, value)]);
-    return this.#section('ahead', h('dl', {}, ...items));
+    const names = [t('done'), t('left')].map((name) => h('th', { scope: 'col' }, name));
+    const head = h('thead', {}, h('tr', {}, h('td'), ...names));
+    const table = h('table', { class: 'progress' }, head, h('tbody', {}, ...rows));
+    const next = (
+      [
+        ['nextTool', tool],
+        ['nextStop', stop],
+        ['nextRapid', rapid],
+      ] as const
+    ).flatMap(([key, index]) => (index === undefined ? [] : [h('dt', {}, t(key)), h('dd', {}, this.#link(index))]));
+    const note = more ? h('p', { class: 'cut' }, t('progressAtLeast')) : '';
+    return this.#section('progress', table, note, h('dl', {}, ...next));
   }
 
   /** The command that writes a program which starts here. Standard input can be read only once. */
