@@ -65,6 +65,10 @@ fn large(blocks: u32) {
     std::thread::sleep(Duration::from_secs(2));
     let waits = (0..200).map(|round| editor.change(blocks / 2, round)).collect();
     show("findings after a change", waits);
+    let at = json!({ "textDocument": { "uri": URI }, "position": { "line": blocks / 2, "character": 0 } });
+    println!("  state at a block, first {:?}", editor.ask("cnc872c/state", at.clone()));
+    let waits = (0..50).map(|_| editor.ask("cnc872c/state", at.clone())).collect();
+    show("state at a block, then", waits);
     println!("  memory {} MB", editor.memory_mb());
 }
 

@@ -7,9 +7,7 @@ use serde_json::{Value, json};
 use super::analysis::Analysis;
 use super::places::offset;
 use super::snapshot::{Answer, Refusal, Snapshot};
-use crate::analysis::state::{
-    Arrival, Asked, Found, Place, PlaceFault, Timing, document, fault_text, passes_text, text,
-};
+use crate::analysis::state::{Arrival, Asked, Place, PlaceFault, document, fault_text, passes_text, text};
 use crate::edit::edit_texts::EditText;
 use crate::query;
 use crate::query::cursor::{DOCUMENT, block_at};
@@ -18,9 +16,6 @@ use crate::query::observe::{MOST, executing};
 use crate::query::state::{Executions, Indexed};
 use crate::session::Session;
 use crate::text::Loader;
-
-/// Programs with so many executed blocks are planned for an answer.
-const SHORT: u64 = 100_000;
 
 /// A place in a program or macrocycle.
 #[derive(Clone, Debug, Deserialize)]
@@ -68,31 +63,12 @@ pub(super) fn state(snapshot: &Snapshot, analysis: &Analysis, params: StateParam
         return Err(Refusal::new(EditText::ErrorBefore.text(lang)));
     }
     let name = name(snapshot, program);
-    let Some(found) = found(snapshot, program, indexed, seq, params.after, &name) else { return Ok(Value::Null) };
+    let Some(found) = indexed.at(program, seq, params.after, &snapshot.cancel) else { return Ok(Value::Null) };
     Ok(json!({
         "seq": seq,
         "text": text(&found, &name, &program.settings, lang),
         "state": document(&found, &name, &program.settings),
     }))
-}
-
-/// What holds before an executed block, or behind it; of short programs with times, as `cnc872c state` gives them where
-/// motion is not configured.
-fn found(
-    snapshot: &Snapshot,
-    program: &query::analysis::Analysis,
-    indexed: &Indexed,
-    seq: u64,
-    after: bool,
-    name: &str,
-) -> Option<Found> {
-    if program.settings.machine.motion.configured || indexed.executed() > SHORT {
-        return indexed.at(program, seq, after);
-    }
-    let goes_on = |_| !snapshot.cancel.is_cancelled();
-    let session = Session { progress: Some(&goes_on), ..program.session() };
-    let asked = Asked { place: Place::Seq(seq), file: None, pass: None, after };
-    session.state(&program.path, name, asked, Timing::Configured).found.ok().map(|found| *found)
 }
 
 /// Which executed block a request is about.

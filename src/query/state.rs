@@ -1,9 +1,11 @@
 //! What holds at the blocks of a document when its program is executed.
 
+use std::sync::OnceLock;
+
 use super::analysis::Analysis;
 use super::cancel::Cancel;
 use super::observe::MOST;
-use crate::analysis::state::{Arrival, Found, Index, Indexer};
+use crate::analysis::state::{Arrival, Found, Index, Indexer, Timeline, TimelineReader, Timing};
 use crate::config::Purpose;
 use crate::resolve::Resolved;
 use crate::session::Session;
@@ -18,6 +20,8 @@ const LISTED: usize = 20;
 #[derive(Debug)]
 pub(crate) struct Indexed {
     index: Index,
+    /// When its blocks end, once somebody asked.
+    times: OnceLock<Timeline>,
     resolved: Resolved,
     sources: Sources,
 }
@@ -55,7 +59,7 @@ impl Indexed {
         }
         let (resolved, sources) = (execution.program().resolved.clone(), execution.program().sources.clone());
         let whole = execution.finish().whole.is_some();
-        Some(Self { index: indexer.finish(whole), resolved, sources })
+        Some(Self { index: indexer.finish(whole), times: OnceLock::new(), resolved, sources })
     }
 
     /// How many blocks were executed.
@@ -90,12 +94,33 @@ impl Indexed {
         found
     }
 
-    /// What holds before an executed block, or behind it.
-    pub(crate) fn at(&self, program: &Analysis, seq: u64, after: bool) -> Option<Found> {
+    /// What holds before an executed block, or behind it. `None` as well when the answer is not wanted any more.
+    pub(crate) fn at(&self, program: &Analysis, seq: u64, after: bool, cancel: &Cancel) -> Option<Found> {
         let (checkpoint, mut replay) = self.index.from(seq..seq + 1, after)?;
         let read = (&self.resolved, &self.sources);
         program.session().observe_from(&program.path, read, checkpoint, &mut replay);
-        replay.found().pop()
+        let mut found = replay.found().pop()?;
+        if Timing::Configured.wants(&program.settings, self.executed()) {
+            found.times = Some(self.timeline(program, cancel)?.around(found.blocks));
+        }
+        Some(found)
+    }
+
+    /// When its blocks end, planned when that is asked for first.
+    fn timeline(&self, program: &Analysis, cancel: &Cancel) -> Option<&Timeline> {
+        if self.times.get().is_none() {
+            let goes_on = |_| !cancel.is_cancelled();
+            let session = Session { progress: Some(&goes_on), ..program.session() };
+            let mut reader = TimelineReader::new(&program.settings, self.executed());
+            let (checkpoint, _) = self.index.from(0..1, false)?;
+            session.observe_from(&program.path, (&self.resolved, &self.sources), checkpoint, &mut reader);
+            let timeline = reader.finish();
+            if cancel.is_cancelled() {
+                return None;
+            }
+            let _ = self.times.set(timeline);
+        }
+        self.times.get()
     }
 
     /// Whether an error stands before an executed block; `after`: or in it.

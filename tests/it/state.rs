@@ -4,7 +4,8 @@ use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
 use cnc872c::analysis::state::{
-    Asked, AtTime, Found, Index, Indexer, Place as At, PlaceFault, Search, Timing, document, json, schema,
+    Asked, AtTime, Found, Index, Indexer, Place as At, PlaceFault, Search, Timeline, TimelineReader, Timing, document,
+    json, schema,
 };
 use cnc872c::config::{Overrides, Purpose, Settings, configure, find_project};
 use cnc872c::diag::Findings;
@@ -185,6 +186,14 @@ fn indexed(sample: &Sample) -> (Index, Resolved, Sources) {
     (indexer.finish(whole), resolved, sources)
 }
 
+/// When the blocks of an execution end.
+fn timeline(sample: &Sample, (index, resolved, sources): &(Index, Resolved, Sources)) -> Timeline {
+    let mut reader = TimelineReader::new(&sample.settings, index.executed());
+    let (checkpoint, _) = index.from(0..1, false).unwrap();
+    sample.session().observe_from(Path::new(&sample.file), (resolved, sources), checkpoint, &mut reader);
+    reader.finish()
+}
+
 /// What holds before and behind every executed block of every sample is what the records say: one pass over each
 /// program that asks at every block.
 #[test]
@@ -347,11 +356,13 @@ fn every_time_of_short_samples() {
         if !(1..=40).contains(&sample.blocks().len()) {
             continue;
         }
-        let (index, resolved, sources) = indexed(&sample);
+        let indexed = indexed(&sample);
+        let timeline = timeline(&sample, &indexed);
+        let (index, resolved, sources) = &indexed;
         let (checkpoint, mut replay) = index.from(0..u64::MAX, true).unwrap();
-        sample.session().observe_from(path, (&resolved, &sources), checkpoint, &mut replay);
-        let ends = replay.found().into_iter().map(|found| found.times.map(|times| times.seconds.done));
-        let Some(ends) = ends.collect::<Option<Vec<f64>>>() else { continue };
+        sample.session().observe_from(path, (resolved, sources), checkpoint, &mut replay);
+        let ends = replay.found().into_iter().map(|found| timeline.around(found.blocks).seconds.done);
+        let ends: Vec<f64> = ends.collect();
         let starts = std::iter::once(0.0).chain(ends.clone());
         for (seq, (start, end)) in starts.zip(ends).enumerate().filter(|(_, (start, end))| end - start > 0.002) {
             for at_s in [(start * 1e6).round() / 1e6, (start + end) / 2.0] {
@@ -371,30 +382,30 @@ fn checkpoints_tell_the_same() {
     let mut text = "%1\nN1 G90 G54 G0 X0 Y0 Z50 T1 M06\nN2 S1000 M3 F500 R1=3 G1 Z-1\nN3 G71 L100 Q7\n".to_owned();
     (10..9000).for_each(|n| text += &format!("N{n} X{}.5 Y{}\n", n % 90, n % 7));
     text += "N9000 T2 M06 G91\nN9001 G0 Z5 M00\nN9002 X1 G73 L8000 Q2\nN9003 M30\nN9100 G79 L100\nN9110 XR1 R2=5\nN9120 M8 G70\n";
-    // Without configured motion, points are passed over.
-    for (project, timing) in [("[motion]\naccel-mm-s2 = 300.0\n", Timing::Always), ("", Timing::Never)] {
+    for project in ["[motion]\naccel-mm-s2 = 300.0\n", ""] {
         let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", project.as_bytes())]);
         let disk = TestDisk { root: place.path("") };
         let project = find_project(Path::new(""), &disk);
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
         let settings = configure(project.as_deref(), &Overrides::default(), &disk, &mut sources, &mut findings);
         let sample = Sample { name: "a.nc".to_owned(), disk, file: "a.nc".to_owned(), settings };
-        let (index, resolved, sources) = indexed(&sample);
+        let indexed = indexed(&sample);
+        let timeline = timeline(&sample, &indexed);
+        let (index, resolved, sources) = &indexed;
         let last = index.executed() - 1;
         assert!(last > 2 << 12);
         for seq in [0, 1, 3, 8, 4095, 4096, 4097, 8191, 9010, 9011, 9012, last - 1500, last - 2, last] {
             for after in [false, true] {
                 let (checkpoint, mut replay) = index.from(seq..seq + 1, after).unwrap();
-                sample.session().observe_from(Path::new("a.nc"), (&resolved, &sources), checkpoint, &mut replay);
-                let quick = json(&replay.found()[0], "a.nc", &sample.settings);
+                sample.session().observe_from(Path::new("a.nc"), (resolved, sources), checkpoint, &mut replay);
+                let mut quick = replay.found().remove(0);
                 let asked = Asked { place: At::Seq(seq), file: None, pass: None, after };
-                let mut stepped = sample.found(asked.clone(), Timing::Always);
-                if timing == Timing::Never {
-                    stepped.times = None;
-                    let passed_over = json(&sample.found(asked, timing), "a.nc", &sample.settings);
-                    assert_eq!(quick, passed_over, "seq {seq} after {after}");
-                }
-                assert_eq!(quick, json(&stepped, "a.nc", &sample.settings), "seq {seq} after {after}");
+                // Without times, points are passed over.
+                let [untimed, timed] = [Timing::Never, Timing::Always]
+                    .map(|timing| json(&sample.found(asked.clone(), timing), "a.nc", &sample.settings));
+                assert_eq!(json(&quick, "a.nc", &sample.settings), untimed, "seq {seq} after {after}");
+                quick.times = Some(timeline.around(quick.blocks));
+                assert_eq!(json(&quick, "a.nc", &sample.settings), timed, "seq {seq} after {after}");
             }
         }
     }

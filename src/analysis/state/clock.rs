@@ -46,7 +46,7 @@ impl TimedProgress {
 }
 
 /// Whether a block may take longer than its time says.
-pub(super) fn is_lower_bound(block: &BlockTimes) -> bool {
+fn is_lower_bound(block: &BlockTimes) -> bool {
     block.unknown || block.motion.as_ref().is_some_and(|motion| motion.jerk_free)
 }
 
@@ -95,34 +95,113 @@ impl Timing {
     }
 }
 
-/// Finds the times of a program around a place.
+/// Plans the motions of a program for a listener.
 #[derive(Debug)]
-pub struct Clock {
+struct Planned<L> {
     reader: StepReader,
-    planned: Fold<Step, (Planner, Sums)>,
+    planned: Fold<Step, (Planner, L)>,
 }
 
-impl Clock {
-    /// For a program that is executed with these settings; `blocks`: around the place.
-    pub fn new(settings: &Settings, blocks: Progress<u64>) -> Self {
-        let sums = Sums { ends: blocks.ends().map(|end| (end, 0.0)), lower_bound: false };
-        let planner = (Planner::new(Model::of(settings), false), sums);
-        let planned = Fold::new("planner", planner, |(planner, sums), step| planner.push(step, sums));
+impl<L: Listener + Clone + Send + 'static> Planned<L> {
+    fn new(settings: &Settings, listener: L) -> Self {
+        let planner = (Planner::new(Model::of(settings), false), listener);
+        let planned = Fold::new("planner", planner, |(planner, listener), step| planner.push(step, listener));
         Self { reader: StepReader::new(settings), planned }
     }
 
     /// The next executed block.
     #[inline]
-    pub fn push(&mut self, block: &Executed<'_>) {
+    fn push(&mut self, block: &Executed<'_>) {
         self.planned.push(self.reader.read(block));
+    }
+
+    /// The listener, when all blocks were pushed.
+    fn finish(self) -> L {
+        let (mut planner, mut listener) = self.planned.finish();
+        planner.finish(&mut listener);
+        listener
+    }
+}
+
+/// Finds the times of a program around a place.
+#[derive(Debug)]
+pub struct Clock(Planned<Sums>);
+
+impl Clock {
+    /// For a program that is executed with these settings; `blocks`: around the place.
+    pub fn new(settings: &Settings, blocks: Progress<u64>) -> Self {
+        Self(Planned::new(settings, Sums { ends: blocks.ends().map(|end| (end, 0.0)), lower_bound: false }))
+    }
+
+    /// The next executed block.
+    #[inline]
+    pub fn push(&mut self, block: &Executed<'_>) {
+        self.0.push(block);
     }
 
     /// The times, when all blocks were pushed.
     pub fn finish(self) -> TimedProgress {
-        let (mut planner, mut sums) = self.planned.finish();
-        planner.finish(&mut sums);
+        let sums = self.0.finish();
         TimedProgress::around(sums.ends.map(|(_, sum)| sum), sums.lower_bound)
     }
+}
+
+/// When each block of an execution ends, in seconds after program start.
+#[derive(Clone, Debug, Default)]
+pub struct Timeline {
+    ends: Vec<f64>,
+    lower_bound: bool,
+}
+
+impl Listener for Timeline {
+    fn block(&mut self, block: &BlockTimes) {
+        let before = self.ends.last().copied().unwrap_or_default();
+        self.ends.push(before + block.duration_s);
+        self.lower_bound |= is_lower_bound(block);
+    }
+}
+
+impl Timeline {
+    /// How long so many blocks take.
+    fn of(&self, blocks: u64) -> f64 {
+        let last = usize::try_from(blocks).ok().and_then(|blocks| blocks.checked_sub(1));
+        last.and_then(|last| self.ends.get(last)).copied().unwrap_or_default()
+    }
+
+    /// The times around a place with so many blocks before it and behind it.
+    pub fn around(&self, blocks: Progress<u64>) -> TimedProgress {
+        TimedProgress::around(blocks.ends().map(|end| self.of(end)), self.lower_bound)
+    }
+}
+
+/// A sink that makes a [`Timeline`].
+#[derive(Debug)]
+pub struct TimelineReader {
+    planned: Planned<Timeline>,
+    blocks: u64,
+}
+
+impl TimelineReader {
+    /// Of the first so many blocks of a program that is executed with these settings.
+    pub fn new(settings: &Settings, blocks: u64) -> Self {
+        Self { planned: Planned::new(settings, Timeline::default()), blocks }
+    }
+
+    /// The times, when all blocks were read.
+    pub fn finish(self) -> Timeline {
+        self.planned.finish()
+    }
+}
+
+impl Sink for &mut TimelineReader {
+    type Whole = ();
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        self.planned.push(block);
+        if block.seq() + 1 < self.blocks { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+
+    fn end(self, _: End, _: &mut Findings) {}
 }
 
 /// Times are shown to a millionth of a second.
@@ -148,18 +227,12 @@ impl Listener for Under {
 
 /// A sink that finds the block under way so many seconds after program start.
 #[derive(Debug)]
-pub struct AtTime {
-    reader: StepReader,
-    planned: Fold<Step, (Planner, Under)>,
-}
+pub struct AtTime(Planned<Under>);
 
 impl AtTime {
     /// Of programs executed with these settings.
     pub fn new(settings: &Settings, at_s: f64) -> Self {
-        let planner = Planner::new(Model::of(settings), false);
-        let under = Under { at_s, ..Under::default() };
-        let planned = Fold::new("planner", (planner, under), |(planner, under), step| planner.push(step, under));
-        Self { reader: StepReader::new(settings), planned }
+        Self(Planned::new(settings, Under { at_s, ..Under::default() }))
     }
 
     /// The block, or how many seconds the program takes.
@@ -167,8 +240,7 @@ impl AtTime {
     /// # Errors
     /// When it takes no longer.
     pub fn found(self) -> Result<u64, f64> {
-        let (mut planner, mut under) = self.planned.finish();
-        planner.finish(&mut under);
+        let under = self.0.finish();
         under.seq.ok_or(under.sum_s)
     }
 }
@@ -177,7 +249,7 @@ impl Sink for &mut AtTime {
     type Whole = End;
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
-        self.planned.push(self.reader.read(block));
+        self.0.push(block);
         ControlFlow::Continue(())
     }
 

@@ -3,15 +3,12 @@
 
 use std::ops::{ControlFlow, Range};
 
-use super::clock::{Progress, TimedProgress, is_lower_bound};
 use super::errors::Errors;
 use super::follow::{Follow, Lengths, Next, Tally};
 use super::found::Found;
 use super::place::Arrival;
-use crate::analysis::motion::{BlockTimes, Listener, Model, Planner, Step, StepReader};
 use crate::config::Settings;
 use crate::diag::Findings;
-use crate::parallel::Fold;
 use crate::run::{End, Executed, Interpreter, Passed, Program, Sink, Stretch};
 use crate::syntax::BlockId;
 use crate::text::FileId;
@@ -45,35 +42,6 @@ pub struct Index {
     errors: Errors,
     /// Execution came to its end without errors.
     whole: bool,
-    times: Option<Ends>,
-}
-
-/// When blocks end, in seconds after program start.
-#[derive(Clone, Debug, Default)]
-struct Ends {
-    ends: Vec<f64>,
-    lower_bound: bool,
-}
-
-impl Listener for Ends {
-    fn block(&mut self, block: &BlockTimes) {
-        let before = self.ends.last().copied().unwrap_or_default();
-        self.ends.push(before + block.duration_s);
-        self.lower_bound |= is_lower_bound(block);
-    }
-}
-
-impl Ends {
-    /// How long so many blocks take.
-    fn of(&self, blocks: u64) -> f64 {
-        let last = usize::try_from(blocks).ok().and_then(|blocks| blocks.checked_sub(1));
-        last.and_then(|last| self.ends.get(last)).copied().unwrap_or_default()
-    }
-
-    /// The times around a place with so many blocks before it and behind it.
-    fn around(&self, blocks: Progress<u64>) -> TimedProgress {
-        TimedProgress::around(blocks.ends().map(|end| self.of(end)), self.lower_bound)
-    }
 }
 
 impl Index {
@@ -129,21 +97,12 @@ impl Index {
     }
 }
 
-/// Plans the motions of an execution.
-#[derive(Debug)]
-struct Planning {
-    reader: StepReader,
-    planned: Fold<Step, (Planner, Ends)>,
-}
-
 /// Makes an [`Index`] while a program is executed.
 #[derive(Debug)]
 pub struct Indexer {
     index: Index,
     lengths: Lengths,
     most: u64,
-    /// Where motion is configured.
-    planning: Option<Planning>,
 }
 
 impl Indexer {
@@ -151,23 +110,13 @@ impl Indexer {
     pub fn new(settings: &Settings, most: u64) -> Self {
         let follow = Follow::new(settings);
         let (rows, parts, errors) = (Vec::new(), Vec::new(), Errors::default());
-        let index = Index { rows, parts, follow, errors, whole: false, times: None };
-        let planning = settings.machine.motion.configured.then(|| {
-            let planner = (Planner::new(Model::of(settings), false), Ends::default());
-            let planned = Fold::new("planner", planner, |(planner, ends), step| planner.push(step, ends));
-            Planning { reader: StepReader::new(settings), planned }
-        });
-        Self { index, lengths: Lengths::default(), most: most.min(u64::from(u32::MAX)), planning }
+        let index = Index { rows, parts, follow, errors, whole: false };
+        Self { index, lengths: Lengths::default(), most: most.min(u64::from(u32::MAX)) }
     }
 
     /// The index. `whole`: the program was executed to its end, without errors.
     pub fn finish(self, whole: bool) -> Index {
-        let times = self.planning.map(|Planning { planned, .. }| {
-            let (mut planner, mut ends) = planned.finish();
-            planner.finish(&mut ends);
-            ends
-        });
-        Index { whole, times, ..self.index }
+        Index { whole, ..self.index }
     }
 }
 
@@ -183,7 +132,7 @@ impl Sink for &mut Indexer {
         let executed = self.index.executed();
         // Checkpoints follow blocks that are shown.
         let room = (STRIDE - executed % STRIDE).min(self.most.saturating_sub(executed));
-        if self.planning.is_some() { 0 } else { room.saturating_sub(1) }
+        room.saturating_sub(1)
     }
 
     fn passed(&mut self, points: &Passed<'_>) {
@@ -200,9 +149,6 @@ impl Sink for &mut Indexer {
         self.index.go_on(seq, file, id);
         let Index { parts, follow, errors, .. } = &mut self.index;
         errors.look(block, findings);
-        if let Some(Planning { reader, planned }) = &mut self.planning {
-            planned.push(reader.read(block));
-        }
         if let Some(part) = parts.last_mut() {
             part.next.look(block, follow.done());
         }
@@ -244,7 +190,6 @@ impl Replay<'_> {
             next = own.or(next);
             found.unknown.retain(|(letter, _)| index.follow.is_moved(*letter));
             found.add_left(done, next, index.follow.done());
-            found.times = index.times.as_ref().map(|times| times.around(found.blocks));
             found.whole = index.whole;
             found
         };

@@ -18,7 +18,7 @@ mod words;
 mod writers;
 
 pub use before::Before;
-pub use clock::{AtTime, Clock, Progress, TimedProgress, Timing};
+pub use clock::{AtTime, Clock, Progress, TimedProgress, Timeline, TimelineReader, Timing};
 pub use found::{CounterAt, Found};
 pub use index::{Arrivals, Index, Indexer, Replay};
 pub use json::{SCHEMA, document, json, schema};

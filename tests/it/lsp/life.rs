@@ -374,3 +374,23 @@ fn a_byte_order_mark() {
     let range = json!({ "start": { "line": 0, "character": 9 }, "end": { "line": 0, "character": 13 } });
     assert_eq!(place["range"], range);
 }
+
+/// What the editor says of a place in a long program is what `state` says, times too, with and without `[motion]`.
+#[test]
+fn state_of_a_long_program() {
+    let text = "%3\nN10 G90 G24 G01 X0 F1000\nN20 X1\nN30 X0\nN40 G73 L20 Q999\nN50 G73 L20 Q39\nN60 M30\n";
+    for project in ["", "[motion]\naccel-mm-s2 = 300.0\n"] {
+        let mut folder = Folder::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", project.as_bytes())]);
+        folder.open("a.nc", text);
+        let params =
+            json!({ "textDocument": { "uri": folder.uri("a.nc") }, "position": { "line": 6, "character": 0 } });
+        let mut answer = folder.client.request("cnc872c/state", params)["result"]["state"].take();
+        let run = folder.place.run(&["state", "a.nc", "--n", "60", "--format", "json"]).ends(0);
+        let mut expected: Value = serde_json::from_str(&run.stdout).unwrap();
+        for state in [&mut answer, &mut expected] {
+            state["name"].take();
+        }
+        assert!(expected["progress"]["blocks"].as_u64() > Some(100_000) && expected["progress"]["time_s"].is_f64());
+        assert_eq!(answer, expected);
+    }
+}
