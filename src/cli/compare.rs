@@ -135,25 +135,21 @@ fn folders(args: &CompareArgs, locale: Locale) -> Result<Status, Failure> {
     let shown = FindingsArgs { format: Format::Human, all: args.all };
     let tolerances = Tolerances { position: Micro::from_f64(args.tolerance), percent: args.feed_tolerance };
     let (old, new) = (programs(&args.old, &overrides), programs(&args.new, &overrides));
-    let names: BTreeSet<&PathBuf> = old.iter().chain(&new).collect();
+    let names: BTreeSet<&PathBuf> = old.union(&new).collect();
     if names.is_empty() {
         return Err(Words::NoPrograms { folder: args.new.display().to_string() }.into());
     }
     let mut rows = Vec::new();
     for name in names {
-        let verdict = match (old.contains(name), new.contains(name)) {
-            (true, false) => Verdict::Removed,
-            (false, _) => Verdict::Added,
-            (true, true) => {
-                let read_one = |folder: &Path| read(&folder.join(name), args, &overrides);
-                let (old, new) = crate::parallel::join(|| read_one(&args.old), || read_one(&args.new));
-                let (old, new) = (old?, new?);
-                for read in [&old, &new].into_iter().filter(|read| read.report.errors() > 0) {
-                    print_beside(&shown, &read.report, locale);
-                }
-                judge(old.found, new.found, tolerances)
-            }
+        let read_in = |programs: &BTreeSet<PathBuf>, folder: &Path| {
+            programs.contains(name).then(|| read(&folder.join(name), args, &overrides)).transpose()
         };
+        let (old, new) = crate::parallel::join(|| read_in(&old, &args.old), || read_in(&new, &args.new));
+        let (old, new) = (old?, new?);
+        for read in old.iter().chain(&new).filter(|read| read.report.errors() > 0) {
+            print_beside(&shown, &read.report, locale);
+        }
+        let verdict = judge(old.map(|read| read.found), new.map(|read| read.found), tolerances);
         rows.push(Row { name: path_name(name), verdict });
     }
     let mut out = stdout()?;
@@ -169,12 +165,22 @@ fn folders(args: &CompareArgs, locale: Locale) -> Result<Status, Failure> {
     })
 }
 
-/// What two programs of one name are to each other.
-fn judge(old: Option<(Side, Steps)>, new: Option<(Side, Steps)>, tolerances: Tolerances) -> Verdict {
-    let (Some((old, old_steps)), Some((new, new_steps))) = (old, new) else { return Verdict::Broken };
-    match compare(&old_steps, &new_steps, tolerances).changes.len() {
-        0 => Verdict::Same,
-        changes => Verdict::Different { changes, old, new },
+/// A program in the folder, as far as it is usable.
+type InFolder = Option<Option<(Side, Steps)>>;
+
+/// What became of a program.
+fn judge(old: InFolder, new: InFolder, tolerances: Tolerances) -> Verdict {
+    match (old, new) {
+        (Some(None), _) | (_, Some(None)) => Verdict::Broken,
+        (None, _) => Verdict::Added,
+        (_, None) => Verdict::Removed,
+        (Some(Some((old, old_steps))), Some(Some((new, new_steps)))) => {
+            match compare(&old_steps, &new_steps, tolerances).changes.len() {
+                0 if old.whole && new.whole => Verdict::Same,
+                0 => Verdict::SameSoFar,
+                changes => Verdict::Different { changes, old, new },
+            }
+        }
     }
 }
 

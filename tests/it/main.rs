@@ -25,6 +25,7 @@ mod endings;
 mod explain;
 mod faults;
 mod fields;
+mod flat;
 mod format;
 mod guide_git;
 mod json_schema;

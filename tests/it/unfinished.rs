@@ -1,5 +1,5 @@
-//! Programs that do not end because only the machine knows a parameter: every command says so (PAR-5), and `restart`
-//! finds the nearest place before the value is lost (RST-4).
+//! Programs that are not executed to their end: because only the machine knows a parameter, which every command says
+//! (PAR-5), and `restart` finds the nearest place before the value is lost (RST-4); or because of errors, in folders.
 
 use crate::cli::Place;
 
@@ -59,4 +59,26 @@ fn a_program_for_another_control() {
     );
     let run = place.run(&["check", "p.nc"]).ends(1);
     assert!(run.stdout.contains("after N30 positions are not known: its call cannot be followed"), "{}", run.stdout);
+}
+
+/// CMP-5, CMP-7: an error in a program that one folder alone has is told, too; with `--partial` what is the same is so
+/// as far as both were executed.
+#[test]
+fn folders_with_errors() {
+    let fine = "%1\nN10 G0 G90 X0\nN20 M30\n".as_bytes();
+    let wrong = "%1\nN10 G0 G90 X0\nN20 X1 X2\nN30 M30\n".as_bytes();
+    let files = [("a/a.nc", fine), ("b/a.nc", fine), ("b/b.nc", wrong), ("a/c.nc", wrong), ("b/c.nc", wrong)];
+    let place = Place::with(&files);
+    let run = place.run(&["compare", "a", "b", "--color", "never"]).ends(2);
+    assert_eq!(
+        run.stdout,
+        "a.nc  the same\nb.nc  errors\nc.nc  errors\nprograms 3: same 1, different 0, added 0, removed 0, with errors 2\n"
+    );
+    assert_eq!(run.stderr.matches("error[E0306]").count(), 3, "{}", run.stderr);
+    let run = place.run(&["compare", "a", "b", "--partial"]).ends(1);
+    assert_eq!(
+        run.stdout,
+        "a.nc  the same\nb.nc  added\nc.nc  the same as far as executed\n\
+        programs 3: same 2, different 0, added 1, removed 0, with errors 0\n"
+    );
 }

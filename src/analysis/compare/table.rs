@@ -11,6 +11,8 @@ use crate::dict::Lang;
 pub enum Verdict {
     /// Both do the same.
     Same,
+    /// They do as far as they could be executed (`--partial`).
+    SameSoFar,
     /// They differ in so many changes.
     Different {
         /// How many changes.
@@ -24,7 +26,7 @@ pub enum Verdict {
     Removed,
     /// It is in the new folder alone.
     Added,
-    /// One of the two has errors, or cannot be read.
+    /// It has errors, or cannot be read: in one of the folders that have it.
     Broken,
 }
 
@@ -47,7 +49,7 @@ pub fn table(rows: &[Row], lang: Lang) -> String {
     let count = |is: fn(&Verdict) -> bool| rows.iter().filter(|row| is(&row.verdict)).count();
     let sum = Words::Programs {
         count: rows.len(),
-        same: count(|verdict| matches!(verdict, Verdict::Same)),
+        same: count(|verdict| matches!(verdict, Verdict::Same | Verdict::SameSoFar)),
         different: count(|verdict| matches!(verdict, Verdict::Different { .. })),
         added: count(|verdict| matches!(verdict, Verdict::Added)),
         removed: count(|verdict| matches!(verdict, Verdict::Removed)),
@@ -60,6 +62,7 @@ pub fn table(rows: &[Row], lang: Lang) -> String {
 fn verdict(verdict: &Verdict, lang: Lang) -> String {
     match verdict {
         Verdict::Same => Words::RowSame.text(lang),
+        Verdict::SameSoFar => Words::RowSameSoFar.text(lang),
         Verdict::Removed => Words::RowRemoved.text(lang),
         Verdict::Added => Words::RowAdded.text(lang),
         Verdict::Broken => Words::RowBroken.text(lang),

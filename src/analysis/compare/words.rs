@@ -35,6 +35,7 @@ bilingual! {
             "{tool}: změn {changes}, v blocích {blocks}";
         NoTool "no tool", "bez nástroje";
         RowSame "the same", "totéž";
+        RowSameSoFar "the same as far as executed", "totéž, pokud se daly provést";
         RowAdded "added", "přidán";
         RowRemoved "removed", "odebrán";
         RowBroken "errors", "chyby";
