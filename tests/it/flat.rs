@@ -7,7 +7,7 @@ use std::path::Path;
 use cnc872c::analysis::compare::{Comparison, StepReader, Steps, Tolerances, compare};
 use cnc872c::config::Purpose;
 use cnc872c::diag::Findings;
-use cnc872c::dict::{Address, GCode, Micro};
+use cnc872c::dict::{Address, Decimal, GCode, Micro};
 use cnc872c::run::{End, Executed, Sink, State};
 use cnc872c::session::Session;
 use cnc872c::syntax::{Value, Word};
@@ -29,14 +29,13 @@ struct Flat {
 const LEADS: [GCode; 9] =
     [GCode::G70, GCode::G71, GCode::G72, GCode::G73, GCode::G79, GCode::G26, GCode::G27, GCode::G28, GCode::G29];
 
-impl Flat {
-    /// Whether a function is nothing in a flat program: mapped cycles are the macrocycles that they call.
-    fn leads(&self, block: &Executed<'_>, number: i64) -> bool {
-        let cycles = &block.settings().machine.cycles;
-        LEADS.iter().any(|code| i64::from(code.number()) == number)
-            || cycles.keys().any(|cycle| i64::from(*cycle) == number)
-    }
+/// Whether a function is nothing in a flat program: mapped cycles are the macrocycles that they call.
+fn leads(block: &Executed<'_>, number: Decimal) -> bool {
+    let cycles = block.settings().machine.cycles.keys().copied();
+    LEADS.map(GCode::number).into_iter().chain(cycles).any(|leads| number.as_whole() == Some(i64::from(leads)))
+}
 
+impl Flat {
     fn word(&self, block: &Executed<'_>, word: &Word) -> Option<String> {
         let calls = block.g_written().any(|code| matches!(code, GCode::G71 | GCode::G72 | GCode::G73));
         let value = match word.value() {
@@ -47,16 +46,18 @@ impl Flat {
             Value::Number(value) => value,
             Value::None => return None,
         };
-        let letter = match word.address {
-            Address::N | Address::Skip | Address::Program | Address::R => return None,
-            Address::L => return None,
+        let address = word.address;
+        let is_left_out = [Address::N, Address::Skip, Address::Program, Address::R, Address::L].contains(&address)
             // Of a block that calls and dwells it is both.
-            Address::Q if calls && block.dwell().is_none() => return None,
-            Address::G if self.leads(block, value.as_whole()?) => return None,
-            Address::Correction => return Some(format!("&{:04}", value.as_whole()?)),
-            address => address.to_string(),
-        };
-        Some(format!("{letter}{value}"))
+            || address == Address::Q && calls && block.dwell().is_none()
+            || address == Address::G && leads(block, value);
+        if is_left_out {
+            return None;
+        }
+        if address == Address::Correction {
+            return Some(format!("&{:04}", value.as_whole()?));
+        }
+        Some(format!("{address}{value}"))
     }
 }
 
