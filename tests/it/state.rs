@@ -512,6 +512,10 @@ fn values_that_are_not_known() {
     let place = Place::with(&[("a.nc", sets.as_bytes())]);
     let behind = place.run(&["state", "a.nc", "--n", "30", "--lang", "en"]).ends(0).stdout;
     assert!(behind.contains("dynamic set     3  N10 (line 2)"), "{behind}");
+    let gears = "%1\nN10 S100 M41\nN20 M42\nN30 S200\nN40 M30\n";
+    let place = Place::with(&[("a.nc", gears.as_bytes())]);
+    let behind = place.run(&["state", "a.nc", "--n", "40", "--lang", "en"]).ends(0).stdout;
+    assert!(behind.contains("gear            2    N20 (line 3)"), "{behind}");
 }
 
 /// Under G74 the table shows the diameter, as programs write it, beside the position of X, which is a radius.

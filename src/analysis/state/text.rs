@@ -171,17 +171,16 @@ impl Table<'_> {
             (self.say(&Words::Tool), text(state.tool_in_spindle()).map(|tool| format!("T{tool}")), "tool"),
         ];
         let sometimes = [
-            (self.say(&Words::Gear), state.gear_in_force().map(|gear| gear.to_string()), ""),
+            (self.say(&Words::Gear), state.gear_in_force().map(|gear| gear.to_string()), "gear"),
             ("H".to_owned(), text(state.h()), "h"),
             ("P".to_owned(), text(state.p()), "p"),
             ("D".to_owned(), text(state.d()), "d"),
             ("&".to_owned(), digits, "length_correction"),
             (self.say(&Words::DynamicSet), set, "dynamic_set"),
         ];
-        let is_written = |slot: &str| !slot.is_empty() && self.found.writer(Slot::value(slot)).is_some();
+        let is_written = |slot: &str| self.found.writer(Slot::value(slot)).is_some();
         let sometimes = sometimes.into_iter().filter(|(_, value, slot)| value.is_some() || is_written(slot));
         let row = |(name, value, slot): (String, Option<String>, &str)| match value {
-            Some(value) if slot.is_empty() => vec![name, value],
             Some(value) => vec![name, value, self.by(Slot::value(slot), &Words::PowerUp)],
             None if is_written(slot) => {
                 vec![name, self.say(&Words::ValueNotKnown), self.by(Slot::value(slot), &Words::PowerUp)]

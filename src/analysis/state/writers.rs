@@ -1,15 +1,16 @@
 //! Which block wrote what is in force last.
 
 use crate::diag::CallKind;
-use crate::dict::{Address, AxisLetter, GCode, GGroup, Lasting, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
+use crate::dict::{Address, AxisLetter, GCode, GEAR_GROUP, GGroup, Lasting, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
 use crate::run::{AxisSet, Executed, Passed, State};
 use crate::syntax::BlockId;
 use crate::text::FileId;
 
 /// The values beside G, M, parameters and axes that blocks write, in the order of records, each with the address whose
 /// words write it.
-const VALUES: [(&str, Option<Address>); 9] = [
+const VALUES: [(&str, Option<Address>); 10] = [
     ("feed", Some(Address::F)),
+    ("gear", None),
     ("tool", None),
     ("s", Some(Address::S)),
     ("t", Some(Address::T)),
@@ -206,6 +207,10 @@ fn each_by_words(block: &Executed<'_>, before: &State, elsewhere: AxisSet, mut e
     }
     block.source_words().iter().filter_map(|word| Slot::by_word(word.address)).for_each(&mut each);
     let after = block.state();
+    let ranges = || block.m_written().iter().any(|number| usize::from(functions.group(*number)) == GEAR_GROUP);
+    if before.gear_in_force() != after.gear_in_force() || after.gear_in_force().is_some() && ranges() {
+        each(Slot::value("gear"));
+    }
     let arc = || block.motion().is_some_and(|motion| motion.kind().is_arc());
     let chooses = || block.g_written().any(|code| code == GCode::G23) && block.written(Address::I) && !arc();
     if before.chosen_dynamic_set() != after.chosen_dynamic_set() || chooses() {
