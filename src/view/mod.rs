@@ -2,7 +2,7 @@
 //!
 //! | stage | from | to | by |
 //! |---|---|---|---|
-//! | collect | executed blocks | rows: each execution once, however often it is repeated | `rows`, with `parts`, `shapes`, `positions`, `arcs`, `calls`, `files` |
+//! | collect | executed blocks | rows: each execution once, however often it is repeated | `rows`, with `parts`, `noted`, `shapes`, `positions`, `arcs`, `calls`, `files` |
 //! | plan | executed blocks | velocities, joints, times | `analysis::motion`, read by `times` |
 //! | take apart | texts | skeletons and what cannot be foretold | `text` |
 //! | pack | rows | columns of whole numbers, deflated | `pack`, with `column`, `tally`, `container`; `page` puts them into HTML |
