@@ -104,6 +104,9 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     if let Some(equidistant) = about.equidistant {
         put("equidistant", equidistant);
     }
+    if !rows.given.is_empty() {
+        put("given", Value::Object(rows.given.clone()));
+    }
     if !about.arguments.is_empty() {
         put("arguments", json!(about.arguments));
     }

@@ -80,6 +80,8 @@ impl<K: Clone + Eq + Hash> Interned<K> {
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub(super) struct StateKey {
     g: [Option<GCode>; 12],
+    /// What is in force behind the block: functions for the block alone hide it, and the program's end resets it.
+    held: [Option<GCode>; 12],
     m: [Option<u8>; 15],
     gear: Option<u8>,
     unit: Option<(FeedUnit, bool)>,
@@ -94,12 +96,16 @@ impl StateKey {
         for (slot, group) in g.iter_mut().zip(GGroup::ALL) {
             *slot = block.g(group);
         }
+        let machine = &block.settings().machine;
+        let held =
+            if block.last() { machine.power_up } else { GGroup::ALL.map(|group| block.state().g_in_force(group)) };
         let mut m = [None; 15];
         for (group, slot) in m.iter_mut().enumerate() {
             *slot = block.m(group);
         }
         Self {
             g,
+            held,
             m,
             gear: block.gear(),
             unit: block.feed().map(|feed| (feed.unit, feed.hundredth)),
@@ -111,6 +117,11 @@ impl StateKey {
 }
 
 impl StateKey {
+    /// What is in force behind the block, by group, where the record does not say it.
+    pub fn held(&self) -> Option<Value> {
+        (self.held != self.g).then(|| self.held.iter().map(|code| code.map(|code| code.number())).collect())
+    }
+
     /// Whether F counts hundredths (M37), where it counts per minute.
     pub fn fed(&self) -> Option<bool> {
         let (unit, hundredth) = self.unit?;

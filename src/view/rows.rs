@@ -70,6 +70,8 @@ pub(super) struct Rows {
     pub extras: Interned<String>,
     /// Indices in `extras` of blocks that do nothing else than their words say.
     worded: HashMap<Vec<u8>, u32>,
+    /// The parameters that the machine has at the program's start, as far as they are given.
+    pub given: Map<String, Value>,
     /// Room for a key of theirs.
     key: Vec<u8>,
     noter: Noter,
@@ -115,6 +117,7 @@ impl Rows {
     /// Of a program that is executed with these settings.
     pub fn new(settings: &Settings, part: Part, keep: Keep) -> Self {
         let axes = &settings.machine.axes;
+        let given = settings.machine.parameters.iter();
         let letters: Vec<AxisLetter> = axes.iter().map(|axis| axis.letter).collect();
         let linear = axes.iter().enumerate().filter(|(_, axis)| !axis.rotary).map(|(place, _)| place).take(3).collect();
         let mut rows = Self {
@@ -127,6 +130,7 @@ impl Rows {
             states_fed: Vec::new(),
             extras: Interned::default(),
             worded: HashMap::new(),
+            given: given.map(|(index, value)| (format!("R{index}"), (value.thousandths() as f64 / 1000.0).into())).collect(),
             key: Vec::new(),
             noter: Noter::new(settings),
             shapes: Interned::default(),
@@ -296,7 +300,7 @@ impl Rows {
             self.turning.read(block, motion);
         }
         let (known, coded) = (after.bits(), after.changed_from(&self.stand));
-        let why = self.why(known);
+        let why = self.why(block, known);
         let key = ShapeKey { known, coded, why, opaque: block.is_opaque(), ..moved.shape };
         let shape = self.shape(key, block);
         let Last { state, extra, feed, context } = match self.keep {
@@ -423,7 +427,9 @@ impl Rows {
         let key = StateKey::of(block);
         states.get(key, || {
             states_fed.push(key.fed());
-            Value::Object(parts(records.of(block)).state)
+            let mut state = parts(records.of(block)).state;
+            state.extend(key.held().map(|held| ("held".to_owned(), held)));
+            Value::Object(state)
         })
     }
 
@@ -466,7 +472,10 @@ impl Rows {
         if !motion.is_empty() {
             parts.does.insert("motion".to_owned(), Value::Object(motion));
         }
-        parts.does.extend(self.noter.fields(block).map(|noted| ("noted".to_owned(), noted)));
+        let written = self.noter.written(block);
+        if !written.is_empty() {
+            parts.does.insert("written".to_owned(), written.into());
+        }
         let value = Value::Object(parts.does);
         let extra = self.extras.get(value.to_string(), || value);
         if worded {
@@ -475,12 +484,17 @@ impl Rows {
         extra
     }
 
-    /// Why axes are not known after a block.
-    fn why(&self, known: u16) -> [Unknown; AxisLetter::ALL.len()] {
+    /// Why axes are not known behind a block. Of a call of the machine's macrocycle the record says where they stand
+    /// before it.
+    fn why(&self, block: &Executed<'_>, known: u16) -> [Unknown; AxisLetter::ALL.len()] {
         let mut why = [Unknown::default(); AxisLetter::ALL.len()];
         if self.keep == Keep::Records {
-            let unknown = self.letters.iter().zip(&mut why).enumerate().filter(|(axis, _)| known & (1 << axis) == 0);
-            unknown.for_each(|(_, (letter, why))| *why = self.noter.why(*letter));
+            let unseen = |letter: AxisLetter| block.moved_unseen().any(|unseen| unseen == letter);
+            for (axis, (letter, why)) in self.letters.iter().zip(&mut why).enumerate() {
+                if known & (1 << axis) == 0 || unseen(*letter) {
+                    *why = self.noter.why(*letter);
+                }
+            }
         }
         why
     }

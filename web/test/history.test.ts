@@ -35,32 +35,19 @@ for (const file of samples()) {
       const state = JSON.parse(execFileSync(cnc872c, asked, { stdio: ['ignore', 'pipe', 'ignore'] }).toString()) as {
         [name: string]: Fields;
       } & { counters: Fields[] };
-      const isLast = index === program.count - 1;
-      const written = Object.fromEntries(
-        Object.entries(state['written']!)
-          // Behind the program's end all functions are those of power-up; the panel shows those of the last block.
-          .filter(([name]) => !(isLast && /^[gm]\d/.test(name)))
-          .map(([name, writer]) => [name, (writer as Fields)['seq'] as number]),
-      );
+      const written = Object.entries(state['written']!).map(([name, writer]) => [name, (writer as Fields)['seq']]);
       const writer = history.writers(index);
-      const told = Object.keys(written).map((name) => [name, writer(name)]);
-      assert.deepEqual(Object.fromEntries(told), written, `written, seq ${index}`);
-      const why = program.shapeOf(program.rowOf(index)).w ?? {};
-      for (const [letter, reason] of Object.entries(state['unknown']!)) {
-        // Behind a call the macrocycle of the machine has run; at it axes stand where they stood.
-        if (program.isKnown(program.rowOf(index), program.letters.indexOf(letter))) {
-          assert.equal(reason, 'macrocycle');
-          continue;
-        }
-        assert.equal(why[letter] ?? 'not_programmed', reason, `${letter}, seq ${index}`);
-      }
-      const known = history.parameters(index).filter(([, value]) => typeof value === 'number');
-      const parameters = { ...state['parameters'] };
-      // Those that the project file gives are not the program's.
-      for (const name of Object.keys(parameters).filter((name) => !(name in written))) {
-        delete parameters[name];
-      }
-      assert.deepEqual(Object.fromEntries(known), parameters, `parameters, seq ${index}`);
+      const told = written.map(([name]) => [name, writer(name as string)]);
+      assert.deepEqual(told, written, `written, seq ${index}`);
+      assert.deepEqual(program.heldBehind(index), state['g'], `g, seq ${index}`);
+      const row = program.rowOf(index);
+      const why = program.shapeOf(row).w ?? {};
+      const unknown = program.letters
+        .filter((letter, axis) => history.moves(letter) && (letter in why || !program.isKnown(row, axis)))
+        .map((letter) => [letter, why[letter] ?? 'not_programmed']);
+      assert.deepEqual(Object.fromEntries(unknown), state['unknown'], `unknown, seq ${index}`);
+      const known = history.parameters(index).map(([name, value]) => [name, value]);
+      assert.deepEqual(Object.fromEntries(known), state['parameters'], `parameters, seq ${index}`);
       const counters = history.counters(index).map((counter) => {
         const block = program.block[program.rowOf(counter.index)]!;
         return [program.fileOf(block), program.line[block], counter.left, counter.of];

@@ -145,10 +145,6 @@ impl Writers {
             self.set(Slot::Axis(axis), writer);
         }
         each_written(block, before, elsewhere, |slot| self.set(slot, writer));
-        if block.last() {
-            (0..12).for_each(|group| self.set(Slot::G(group), writer));
-            block.m_changed().iter().for_each(|group| self.set(Slot::M(usize::from(*group)), writer));
-        }
     }
 
     /// Notes what points wrote.
@@ -204,6 +200,10 @@ fn each_by_words(block: &Executed<'_>, before: &State, elsewhere: AxisSet, mut e
         if number == TOOL_CHANGE {
             each(Slot::value("tool"));
         }
+    }
+    if block.last() {
+        (0..12).map(Slot::G).for_each(&mut each);
+        block.m_changed().iter().map(|group| Slot::M(usize::from(*group))).for_each(&mut each);
     }
     block.source_words().iter().filter_map(|word| Slot::by_word(word.address)).for_each(&mut each);
     let after = block.state();

@@ -14,7 +14,7 @@ export interface Shape {
   k?: string;
   /** Letters of those whose value is in the column of positions; the others stand where they stood. */
   c?: string;
-  /** Why axes that are not known are not, by letter; without a reason they are not programmed yet. */
+  /** Why axes are not known behind the block, by letter; those that are not known without a reason are not programmed yet. */
   w?: { [letter: string]: string };
   /** The motion, without numbers. */
   m?: Fields;
@@ -30,16 +30,6 @@ export interface Shape {
   u?: true;
   /** The motion starts where the tool does not stand, behind a change of origin. */
   o?: true;
-}
-
-/** What a block does beside its record, by the names that `cnc872c state` gives. */
-export interface Noted {
-  /** What it writes, besides the positions of the axes that it moves. */
-  written?: string[];
-  /** Parameters whose value is not known any more. */
-  lost?: string[];
-  /** Parameters that are read from the machine's table from here on. */
-  read?: string[];
 }
 
 /** What a finding says, in both languages. */
@@ -104,6 +94,8 @@ export interface Header {
   generator: string;
   /** The record of the program, as the block stream has it. */
   program: Fields & { name: string; axes: { letter: string; kind: string }[]; number: number; title?: string };
+  /** The parameters that the machine has at the program's start. */
+  given?: { [name: string]: number };
   /** The arguments with which a command executes the program as the page shows it. */
   arguments?: string[];
   /** The records `machine` and `total` of the motion stream. */
@@ -121,9 +113,10 @@ export interface Header {
   count: number;
   /** The program ended with M02 or M30; else with an error. */
   whole: boolean;
-  states: Fields[];
-  /** What blocks do. `noted` is no field of records. */
-  extras: (Fields & { noted?: Fields & Noted })[];
+  /** What is in force. No field of records: the G functions that hold behind the block, where `g` does not say it. */
+  states: (Fields & { held?: (number | null)[] })[];
+  /** What blocks do. No field of records: what they write besides the positions of the axes that they move, as `state` says. */
+  extras: (Fields & { written?: string[] })[];
   shapes: Shape[];
   calls: { by: string; l: number }[];
   codes: TimeCode[];

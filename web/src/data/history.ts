@@ -1,6 +1,6 @@
 // What led to what holds behind a block, and what comes next: looks back and ahead, without records.
 
-import type { Json } from './header.ts';
+import type { Json, Shape } from './header.ts';
 import type { Program } from './program.ts';
 
 /** What comes next behind a block, as indices. */
@@ -10,14 +10,12 @@ export interface Ahead {
   rapid: number | undefined;
 }
 
-/** A parameter: its value, or why that is not known. */
-export type Parameter = number | 'lost' | 'read';
-
 /** A jump whose counter is armed: the block that arrived there last, how many jumps are left, of how many. */
 export interface Counter {
   index: number;
   left: number;
-  of: number;
+  /** Nobody knows where the page begins in the middle. */
+  of: number | undefined;
 }
 
 /** Blocks between two places for which it is kept who wrote what. */
@@ -28,13 +26,14 @@ export class History {
   /** Places in `names`: of what each extra writes, and each shape moves. */
   readonly #byExtra: readonly number[][];
   readonly #byShape: readonly number[][];
-  /** What blocks write, by the names that `cnc872c state` gives: `g0`, `m2`, `feed`, `R10`, `X`; `read R3` of the machine's. */
+  /** What blocks write, by the names that `cnc872c state` gives: `g0`, `m2`, `feed`, `R10`, `X`. */
   readonly #names: string[] = [];
   readonly #places = new Map<string, number>();
   /** By name: the last block that wrote it before every so many blocks, -1 where none did. */
   #kept: Int32Array[] | undefined;
   readonly #tools: boolean[];
   readonly #stops: boolean[];
+  readonly #jumps: boolean[];
   /** By block: whether it makes a counted jump somewhere. */
   #counted: Uint8Array | undefined;
 
@@ -44,10 +43,9 @@ export class History {
     const stopsAtM01 = facts['optional_stop'] === true;
     const numbers = (value: Json | undefined): number[] => (Array.isArray(value) ? (value as number[]) : []);
     const places = (names: readonly string[]): number[] => names.map((name) => this.#place(name));
-    this.#byExtra = extras.map(({ noted }) =>
-      places([...(noted?.written ?? []), ...(noted?.read ?? []).map((name) => `read ${name}`)]),
-    );
+    this.#byExtra = extras.map(({ written = [] }) => places(written));
     this.#byShape = shapes.map((shape) => places((shape.m?.['axes'] ?? []) as string[]));
+    this.#jumps = extras.map((extra) => extra['jump'] !== undefined);
     this.#tools = extras.map((extra) => numbers(extra['m_set']).includes(6));
     this.#stops = extras.map((extra) => extra['stop'] === true || (stopsAtM01 && extra['cond_stop'] === true));
   }
@@ -61,9 +59,11 @@ export class History {
     return place;
   }
 
-  /** Whether the program moves an axis, or says where it stands. */
+  /** Whether the program moves an axis, as far as the page shows. */
   moves(letter: string): boolean {
-    return this.#places.has(letter);
+    const isMoved = ({ m, w }: Shape): boolean =>
+      ((m?.['axes'] ?? []) as string[]).includes(letter) || w?.[letter] === 'cycle';
+    return this.#program.header.shapes.some(isMoved);
   }
 
   /** Whether the program changes tools. */
@@ -111,21 +111,18 @@ export class History {
     };
   }
 
-  /** The parameters that the program wrote or read up to a block, ascending. */
-  parameters(index: number): [name: string, value: Parameter][] {
+  /** The parameters with known values behind a block, ascending, and who wrote them. */
+  parameters(index: number): [name: string, value: number, writer: number | undefined][] {
     const program = this.#program;
     const writers = this.writers(index);
-    const found: [string, Parameter][] = [];
-    for (const name of this.#names.filter((name) => /^R\d/.test(name))) {
+    const { given = {} } = program.header;
+    const names = new Set([...Object.keys(given), ...this.#names.filter((name) => /^R\d/.test(name))]);
+    const found: [string, number, number | undefined][] = [];
+    for (const name of names) {
       const writer = writers(name);
-      if (writer !== undefined) {
-        found.push([name, (program.paramsOf(program.rowOf(writer))[name] as number | undefined) ?? 'lost']);
-      }
-    }
-    for (const read of this.#names.filter((name) => name.startsWith('read '))) {
-      const name = read.slice('read '.length);
-      if (writers(read) !== undefined && writers(name) === undefined) {
-        found.push([name, 'read']);
+      const value = writer === undefined ? given[name] : program.paramsOf(program.rowOf(writer))[name];
+      if (typeof value === 'number') {
+        found.push([name, value, writer]);
       }
     }
     return found.sort(([a], [b]) => Number(a.slice(1)) - Number(b.slice(1)));
@@ -142,13 +139,12 @@ export class History {
     const counted = this.#counted;
     const leave = (): void => {
       const armed = [...jumps].filter(([, { last }]) => program.leftOf(last) !== undefined).sort(([a], [b]) => a - b);
-      found.unshift(
-        ...armed.map(([, { last, first }]) => ({
-          index: last,
-          left: program.leftOf(last)!,
-          of: program.leftOf(first)! + 1,
-        })),
-      );
+      const counters = armed.map(([, { last, first, open }]) => ({
+        index: last,
+        left: program.leftOf(last)!,
+        of: open && program.from > 0 ? undefined : program.leftOf(first)! + 1,
+      }));
+      found.unshift(...counters);
       jumps = new Map();
     };
     for (let at = counted.includes(1) ? index : -1; at >= 0; at -= 1) {
@@ -157,17 +153,20 @@ export class History {
         leave();
         frame = program.parentOf(frame);
       }
-      const block = program.block[program.rowOf(at)]!;
-      if (context === frame && counted[block]) {
-        const left = program.leftOf(at);
-        const jump = jumps.get(block);
-        if (jump === undefined) {
-          jumps.set(block, { last: at, first: at, open: left !== undefined });
-        } else if (jump.open && left === program.leftOf(jump.first)! + 1) {
-          jump.first = at;
-        } else {
-          jump.open = false;
-        }
+      const row = program.rowOf(at);
+      const block = program.block[row]!;
+      const left = program.leftOf(at);
+      // A jump without a counter leaves it as it is.
+      if (context !== frame || !counted[block] || (left === undefined && this.#jumps[program.extra[row]!])) {
+        continue;
+      }
+      const jump = jumps.get(block);
+      if (jump === undefined) {
+        jumps.set(block, { last: at, first: at, open: left !== undefined });
+      } else if (jump.open && left === program.leftOf(jump.first)! + 1) {
+        jump.first = at;
+      } else {
+        jump.open = false;
       }
     }
     leave();

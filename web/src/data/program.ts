@@ -335,6 +335,28 @@ export class Program {
     return Array.from(members.subarray(start[key]!, start[key + 1]!));
   }
 
+  /** Which of the executions of its block an executed block is: how many come before it, and how many there are. */
+  passOf(index: number): { before: number; all: number } {
+    const block = this.block[this.rowOf(index)]!;
+    if (this.#isStraight) {
+      const executions = this.executionsOf(block);
+      return { before: executions.indexOf(index), all: executions.length };
+    }
+    this.#byPlace ??= this.#groupByPlace();
+    const { keyOf, start, members } = this.#byPlace;
+    const [first, end] = [start[keyOf[block]!]!, start[keyOf[block]! + 1]!];
+    let [low, high] = [first, end];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (members[middle]! < index) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return { before: low - first, all: end - first };
+  }
+
   #groupByPlace(): { keyOf: Int32Array; start: Int32Array; members: Int32Array } {
     const blocks = this.n.length;
     const keyOf = new Int32Array(blocks);
@@ -364,6 +386,12 @@ export class Program {
       next[key]! += 1;
     }
     return { keyOf, start, members };
+  }
+
+  /** The G functions in force behind an executed block, by group. */
+  heldBehind(index: number): (number | null)[] {
+    const state = this.header.states[this.state[this.rowOf(index)]!]!;
+    return state.held ?? (state['g'] as (number | null)[]);
   }
 
   /** What led to the block with the last call of a context. */
@@ -428,8 +456,12 @@ export class Program {
       record['calls'] = calls;
     }
     const shape = this.shapeOf(row);
-    const state = this.header.states[this.state[row]!]!;
-    const { motion: about, noted: _, ...extra } = this.header.extras[this.extra[row]!]! as Fields & { motion?: Fields };
+    const { held: _held, ...state } = this.header.states[this.state[row]!]!;
+    const {
+      motion: about,
+      written: _written,
+      ...extra
+    } = this.header.extras[this.extra[row]!]! as Fields & { motion?: Fields };
     Object.assign(record, structuredClone(state), structuredClone(extra));
     if (Array.isArray(extra['params'])) {
       record['params'] = this.paramsOf(row);

@@ -102,13 +102,16 @@ export function local(value: number, decimals = Math.abs(value) < 1 ? 4 : Math.a
 
 /** Seconds as h:mm:ss.s, or seconds alone when there are few. */
 export function clock(seconds: number): string {
-  if (seconds < 60) {
-    return `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`;
+  if (Number(seconds.toFixed(2)) < 10) {
+    return `${seconds.toFixed(2)} s`;
   }
-  const whole = Math.floor(seconds);
+  const tenths = Math.round(seconds * 10);
+  if (tenths < 600) {
+    return `${(tenths / 10).toFixed(1)} s`;
+  }
+  const whole = Math.floor(tenths / 10);
   const two = (value: number): string => String(value).padStart(2, '0');
-  const rest = (seconds - whole).toFixed(1).slice(1);
-  return `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}${rest}`;
+  return `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}.${tenths % 10}`;
 }
 
 /** A value that may be greater than is known. */

@@ -11,14 +11,14 @@ export function currentRecord(app: App): Fields | null {
   if (app.current === null) {
     return null;
   }
-  const { program, times } = app;
+  const { program } = app;
   const block = program.block[program.rowOf(app.current)]!;
   const passes = program.executionsOf(block).filter((index) => index !== app.current);
-  return {
-    ...program.record(app.current),
-    ...times?.record(app.current),
-    passes: passes.map((index) => program.from + index),
-  };
+  return { ...recordOf(app, app.current), passes: passes.map((index) => program.from + index) };
+}
+
+function recordOf({ program, times }: App, index: number): Fields {
+  return { ...program.record(index), ...times?.record(index) };
 }
 
 /** The values beside functions, by the names of records and of `cnc872c state`; whether those not programmed are told. */
@@ -64,15 +64,16 @@ export class State {
   }
 
   #tell(): void {
-    const record = currentRecord(this.#app);
-    if (record === null) {
+    const { current } = this.#app;
+    if (current === null) {
       rebuild(this.element, h('p', { class: 'empty' }, t('noBlock')));
       return;
     }
+    const record = recordOf(this.#app, current);
     const parts = [
       this.#head(record),
       this.#position(record),
-      this.#functions('gGroups', 'G', list(record, 'g'), new Set(list(record, 'g_set'))),
+      this.#functions('gGroups', 'G', this.#app.program.heldBehind(current), new Set(list(record, 'g_set'))),
       this.#functions('mGroups', 'M', list(record, 'm'), new Set(list(record, 'm_set'))),
       this.#words(record),
       this.#motion(record),
@@ -114,10 +115,9 @@ export class State {
       );
       children.push(h('ol', { class: 'calls', 'aria-label': t('calls') }, ...items));
     }
-    const passes = record['passes'] as number[];
-    if (passes.length > 0) {
-      const before = passes.filter((seq) => seq < (record['seq'] as number)).length;
-      const text = t('executionOf', { i: before + 1, n: passes.length + 1 });
+    const { before, all } = this.#app.program.passOf(this.#app.current!);
+    if (all > 1) {
+      const text = t('executionOf', { i: before + 1, n: all });
       const step =
         (by: number): (() => void) =>
         () =>
@@ -145,7 +145,7 @@ export class State {
               'data-focus': 'next',
               'aria-label': t('nextPass'),
               onclick: step(1),
-              ...idle(before === passes.length),
+              ...idle(before === all - 1),
             },
             ']',
           ),
@@ -169,14 +169,15 @@ export class State {
     const writers = history.writers(index);
     const cells = axes.map(({ letter, kind }) => {
       const value = position[letter];
-      const known = typeof value === 'number';
+      // At a call of the machine's macrocycle the record says where the axes stand before it.
+      const known = typeof value === 'number' && why[letter] === undefined;
       const text = known
         ? `${value.toFixed(3)}${kind === 'rotary' ? '°' : ''}`
         : `${t('unknown')}: ${t(`unknown_${why[letter] ?? 'not_programmed'}` as Key)}`;
       // Positions are radii, also where X is programmed as a diameter.
-      const diameter = letter === 'X' && known && list(record, 'g').includes(74);
+      const diameter = letter === 'X' && known && program.heldBehind(index).includes(74);
       const also = diameter ? h('span', {}, `Ø ${(2 * value).toFixed(3)}`) : null;
-      const attributes = { class: moved.has(letter) ? 'cell moved' : 'cell' };
+      const attributes = { class: moved.has(letter) ? 'cell moved' : 'cell', 'data-focus': letter };
       return this.#writtenBy(known ? writers(letter) : undefined, known, attributes, h('b', {}, letter), text, also);
     });
     return this.#section('position', h('div', { class: 'cells' }, ...cells));
@@ -190,7 +191,7 @@ export class State {
     ...children: (Node | string | null)[]
   ): HTMLElement {
     if (writer !== undefined) {
-      const title = `${t('writtenBy')} N${this.#app.program.n[this.#app.place(writer).block]!}`;
+      const title = `${t('writtenBy')} N${this.#app.program.n[this.#app.place(writer).block]!} (${this.#named(writer)})`;
       const onclick = (): void => this.#app.select(writer);
       return h('button', { ...attributes, title, type: 'button', onclick }, ...children);
     }
@@ -199,29 +200,33 @@ export class State {
     return h('span', { ...attributes, title }, ...children);
   }
 
-  /** A block by its number, for taking it in hand. */
-  #link(index: number): HTMLElement {
-    const { program } = this.#app;
-    const { seq, file, line, block } = this.#app.place(index);
-    const title = `seq ${seq}, ${this.#app.header.files[file]!.name}:${line}`;
-    return h(
-      'button',
-      { type: 'button', class: 'link', title, onclick: () => this.#app.select(index) },
-      `N${program.n[block]!}`,
-    );
+  /** The place of an executed block. */
+  #named(index: number): string {
+    const { seq, file, line } = this.#app.place(index);
+    return `seq ${seq}, ${this.#app.header.files[file]!.name}:${line}`;
   }
 
-  /** The functions in force by group. */
+  /** A block by its number, for taking it in hand; `focus`: the name of the control. */
+  #link(index: number, focus: string): HTMLElement {
+    const onclick = (): void => this.#app.select(index);
+    const attributes = { type: 'button', class: 'link', title: this.#named(index), 'data-focus': focus, onclick };
+    return h('button', attributes, `N${this.#app.program.n[this.#app.place(index).block]!}`);
+  }
+
+  /** The functions in force by group, then those that the block has for itself alone. */
   #functions(key: Key, letter: 'G' | 'M', values: (number | null)[], written: Set<number>): HTMLElement {
     const index = this.#app.current!;
     const slot = (group: number): string => `${letter.toLowerCase()}${group}`;
     const inForce = values.flatMap((value, group) => (value === null ? [] : [{ value, group }]));
     const writers = this.#app.history.writers(index);
     const cells = inForce.map(({ value, group }) => {
-      const isOwn = written.has(value);
-      const writer = isOwn ? index : writers(slot(group));
-      return this.#writtenBy(writer, true, { class: isOwn ? 'chip written' : 'chip' }, `${letter}${two(value)}`);
+      const writer = writers(slot(group));
+      const isOwn = writer === index || written.has(value);
+      const attributes = { class: isOwn ? 'chip written' : 'chip', 'data-focus': slot(group) };
+      return this.#writtenBy(isOwn ? index : writer, true, attributes, `${letter}${two(value)}`);
     });
+    const own = [...written].filter((code) => !values.includes(code));
+    cells.push(...own.map((code) => h('span', { class: 'chip written' }, `${letter}${two(code)}`)));
     return this.#section(key, h('div', { class: 'chips' }, ...cells));
   }
 
@@ -230,19 +235,11 @@ export class State {
     const index = this.#app.current!;
     const value = (field: string): string | undefined => {
       const known = record[field];
-      if (typeof known !== 'number') {
-        return undefined;
+      if (known === undefined || field !== 'feed') {
+        return known === undefined ? undefined : String(known);
       }
-      switch (field) {
-        case 'feed': {
-          const scale = typeof record['feed_scale'] === 'number' ? ` × ${record['feed_scale']}` : '';
-          return `${shown(known)} ${String(record['feed_unit'] ?? '')}${scale}`;
-        }
-        case 'length_correction':
-          return String(known).padStart(4, '0');
-        default:
-          return String(known);
-      }
+      const scale = typeof record['feed_scale'] === 'number' ? ` × ${record['feed_scale']}` : '';
+      return `${shown(Number(known))} ${String(record['feed_unit'] ?? '')}${scale}`;
     };
     const writers = history.writers(index);
     const rows = VALUES.flatMap(([name, field, always]) => {
@@ -254,7 +251,7 @@ export class State {
       const nothing = writer === undefined ? t('unknown_not_programmed') : t('unknownHere');
       return [
         h('dt', {}, name === '' ? t('gear') : name),
-        h('dd', {}, `${known ?? nothing} `, writer === undefined ? null : this.#link(writer)),
+        h('dd', {}, `${known ?? nothing} `, writer === undefined ? null : this.#link(writer, field)),
       ];
     });
     return this.#section('words', h('dl', {}, ...rows));
@@ -337,17 +334,14 @@ export class State {
     return section;
   }
 
-  /** The parameters that the program has written so far. */
+  /** The parameters that the machine had, or the program has written so far. */
   #parameters(): HTMLElement | null {
-    const { history } = this.#app;
-    const index = this.#app.current!;
-    const found = history.parameters(index);
-    const writers = history.writers(index);
-    const rows = found.flatMap(([name, value]) => {
-      const writer = value === 'read' ? undefined : writers(name);
-      const text = value === 'lost' ? t('unknownHere') : value === 'read' ? t('fromMachine') : String(value);
-      return [h('dt', {}, name), h('dd', {}, `${text} `, writer === undefined ? null : this.#link(writer))];
-    });
+    const rows = this.#app.history
+      .parameters(this.#app.current!)
+      .flatMap(([name, value, writer]) => [
+        h('dt', {}, name),
+        h('dd', {}, `${value} `, writer === undefined ? null : this.#link(writer, name)),
+      ]);
     return rows.length === 0 ? null : this.#section('parameters', h('dl', {}, ...rows));
   }
 
@@ -355,7 +349,10 @@ export class State {
   #counters(): HTMLElement | null {
     const rows = this.#app.history
       .counters(this.#app.current!)
-      .flatMap(({ index, left, of }) => [h('dt', {}, this.#link(index)), h('dd', {}, t('counter', { left, of }))]);
+      .flatMap(({ index, left, of }, place) => [
+        h('dt', {}, this.#link(index, `counter ${place}`)),
+        h('dd', {}, of === undefined ? t('counterLeft', { left }) : t('counter', { left, of })),
+      ]);
     return rows.length === 0 ? null : this.#section('counters', h('dl', {}, ...rows));
   }
 
@@ -365,7 +362,7 @@ export class State {
     const { start_s, total } = header;
     const behind = this.#app.current! + 1;
     const whole = Number(total?.['time_s'] ?? 0);
-    const more = total?.['at_least'] === true || !header.whole;
+    const more = total?.['at_least'] === true || total?.['without_approach'] === true || !header.whole;
     // Name, how much comes before a block, how much there is, and how that is said.
     const quantities: [Key, (index: number) => number, number, (value: number) => string][] = [
       ['blocksDone', (index) => program.from + index, header.blocks, (value) => local(value, 0)],
@@ -400,7 +397,9 @@ export class State {
         ['nextStop', stop],
         ['nextRapid', rapid],
       ] as const
-    ).flatMap(([key, index]) => (index === undefined ? [] : [h('dt', {}, t(key)), h('dd', {}, this.#link(index))]));
+    ).flatMap(([key, index]) =>
+      index === undefined ? [] : [h('dt', {}, t(key)), h('dd', {}, this.#link(index, key))],
+    );
     const note = more ? h('p', { class: 'cut' }, t('progressAtLeast')) : '';
     return this.#section('progress', table, note, h('dl', {}, ...next));
   }
