@@ -37,7 +37,11 @@ pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure>
     if args.old.is_dir() && args.new.is_dir() {
         return folders(args, locale);
     }
-    if let Some(folder) = [&args.old, &args.new].into_iter().find(|path| path.is_dir()) {
+    let there = |path: &Path| is_stdin(path) || path.exists();
+    if let Some(folder) = [&args.old, &args.new].into_iter().find(|path| path.is_dir())
+        && there(&args.old)
+        && there(&args.new)
+    {
         return Err(Words::CompareFolder { folder: folder.display().to_string() }.into());
     }
     if is_stdin(&args.old) && is_stdin(&args.new) {
@@ -158,7 +162,7 @@ fn folders(args: &CompareArgs, locale: Locale) -> Result<Status, Failure> {
     let any = |is: fn(&Verdict) -> bool| rows.iter().any(|row| is(&row.verdict));
     Ok(if any(|verdict| matches!(verdict, Verdict::Broken)) {
         Status::Unusable
-    } else if any(|verdict| !matches!(verdict, Verdict::Same)) {
+    } else if any(|verdict| !matches!(verdict, Verdict::Same | Verdict::SameSoFar)) {
         Status::Faulty
     } else {
         Status::Fine

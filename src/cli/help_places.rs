@@ -103,8 +103,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "compare",
         "feed_tolerance",
         Options,
-        "F and S that differ by so many per cent at most are the same",
-        "F a S, které se liší nejvýše o tolik procent, jsou stejné",
+        "F and S that differ by so many per cent of the larger one at most are the same",
+        "F a S, které se liší nejvýše o tolik procent z většího z nich, jsou stejné",
     ),
     arg("compare", "parameters", Options, "Compare parameters and jumps too", "Porovnat i parametry a skoky"),
     arg(

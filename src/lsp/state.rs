@@ -84,10 +84,16 @@ pub(super) fn here<'a>(snapshot: &'a Snapshot, analysis: &'a Analysis, params: &
         return Err(Refusal::new(why.text(lang)));
     };
     let Some(indexed) = Indexed::of(program, &snapshot.cancel) else { return Ok(Here::Nowhere) };
+    let asked_for = |place| Asked { place, file: None, pass: None, after: params.after };
     if let Some(seq) = params.seq {
-        return Ok(Here::At { program, indexed, seq });
+        let blocks = indexed.executed();
+        return if seq < blocks {
+            Ok(Here::At { program, indexed, seq })
+        } else {
+            Err(Refusal::new(fault_text(&PlaceFault::Beyond { blocks }, &asked_for(Place::Seq(seq)), lang)))
+        };
     }
-    let asked = Asked { place: Place::N(file.shown_number(block)), file: None, pass: None, after: params.after };
+    let asked = asked_for(Place::N(file.shown_number(block)));
     match indexed.executions(program, analysis, block) {
         Executions::One(seq) => Ok(Here::At { program, indexed, seq }),
         Executions::Several(arrivals, count) => Ok(Here::Several(several(&arrivals, count, snapshot))),

@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use super::lines::{Lines, Numbers};
+use super::lines::{Lines, Numbers, named};
 use crate::analysis::state::Before;
 use crate::config::{Machine, Settings};
 use crate::diag::{CallKind, Findings};
@@ -33,8 +33,6 @@ pub(super) struct Gather {
     pub flat: Lines,
     /// Where the program's own text goes on.
     pub rest: Option<u32>,
-    /// Executed blocks that they stand for.
-    pub written_out: u64,
     reads: Parameters,
     written: Parameters,
 }
@@ -52,7 +50,6 @@ impl Gather {
             preamble: Lines::default(),
             flat: Lines::default(),
             rest: None,
-            written_out: 0,
             reads: [false; 96],
             written: [false; 96],
         }
@@ -207,9 +204,8 @@ impl Sink for &mut Gather {
             self.note(block, flat);
             if flat {
                 let words = flat_words(block, self.before.state());
-                self.written_out += 1;
                 if !words.is_empty() {
-                    self.flat.block(&words, &format!("N{}", block.n()));
+                    self.flat.block(&words, &named(block.n(), block.file_index(), block.file_name()));
                 }
             }
         }

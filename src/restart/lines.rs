@@ -1,8 +1,11 @@
 //! Blocks as lines of a part program, and the numbers that a program leaves free.
 
+use std::path::Path;
+
 use crate::dict::{HIGHEST_BLOCK, HIGHEST_L};
 use crate::sure::small;
 use crate::syntax::ParsedFile;
+use crate::text::last_name;
 
 /// A preamble has fewer blocks.
 const PREAMBLE: u64 = 40;
@@ -80,6 +83,11 @@ impl Numbers {
     const fn run(&self, blocks: u64) -> Run {
         if blocks <= self.low.count() { self.low } else { self.high }
     }
+}
+
+/// A block as comments name it: one of a macrocycle with its file.
+pub(super) fn named(n: u32, file: u32, file_name: &str) -> String {
+    if file == 0 { format!("N{n}") } else { format!("{} N{n}", last_name(Path::new(file_name))) }
 }
 
 /// A text as comments, one a line: it goes on in the next where one is too short for it.

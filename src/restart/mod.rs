@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 use approach::Approach;
 use gather::Gather;
-use lines::comment_lines;
+use lines::{comment_lines, named};
 use preamble::{Preamble, Sources, notes};
 use prove::{Proof, prove};
 use scan::{Scan, There};
@@ -29,7 +29,7 @@ use crate::analysis::state::{Asked, Found, Place, PlaceFault, Timing};
 use crate::config::Purpose;
 use crate::dict::Lang;
 use crate::session::{Outcome, Session};
-use crate::text::{FileId, Overlay, SourceText};
+use crate::text::{FileId, Overlay, SourceText, last_name};
 pub use reason::{Note, Reason, Said, refusal_text, spot_text};
 pub use scan::{Places, Spot};
 pub use tracker::Options;
@@ -193,7 +193,8 @@ impl Making<'_> {
         if let Some(lost) = parameters.iter().find(|index| found.state.is_lost(**index)) {
             return Err(Reason::Value { name: format!("R{lost}") });
         }
-        let Gather { preamble, flat, rest, written_out, line_end, .. } = gather;
+        let Gather { preamble, flat, rest, line_end, .. } = gather;
+        let written_out = flat.blocks;
         let from = Sources { settings, found, there, approach, options: self.options, lang: self.lang };
         let mut head = self.title(source, found, there, line_end);
         for note in notes(from, &parameters, written_out) {
@@ -214,8 +215,9 @@ impl Making<'_> {
         let name =
             Path::new(self.name).file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         let title = |name: String| {
-            let (n, pass) = (found.n, there.pass);
-            let note = if there.several { Note::TitleOfPass { name, n, pass } } else { Note::Title { name, n } };
+            let (place, pass) = (named(found.n, found.file, &found.file_name), there.pass);
+            let note =
+                if there.several { Note::TitleOfPass { name, place, pass } } else { Note::Title { name, place } };
             note.comment(self.lang)
         };
         // The place is what tells titles of one program apart.
@@ -255,7 +257,7 @@ impl Making<'_> {
             (tried, executed) = (tried + 1, executed + found.blocks.done + found.blocks.left);
             if self.make(source, &found, &there).is_ok() {
                 let found = self.look(asked, Timing::Always).1?.ok()?;
-                let file = (found.file != 0).then(|| found.file_name.clone());
+                let file = (found.file != 0).then(|| last_name(Path::new(&found.file_name)));
                 let time_s = found.times?.seconds.done;
                 return Some(Nearest { seq: found.seq, n: found.n, file, line: found.line, time_s });
             }

@@ -87,12 +87,12 @@ bilingual! {
 bilingual! {
     /// What the new program says in its comments; without diacritics there.
     Note {
-        Title { name: String, n: u32 } "{name} from N{n}", "{name} od N{n}";
-        TitleOfPass { name: String, n: u32, pass: u64 }
-            "{name} from N{n}, pass {pass}",
-            "{name} od N{n}, průchod {pass}";
+        Title { name: String, place: String } "{name} from {place}", "{name} od {place}";
+        TitleOfPass { name: String, place: String, pass: u64 }
+            "{name} from {place}, pass {pass}",
+            "{name} od {place}, průchod {pass}";
         WrittenOut { blocks: u64 }
-            "calls and loops written out: {blocks} blocks",
+            "blocks of calls and loops written out: {blocks}",
             "rozepsaná volání a smyčky: bloků {blocks}";
         Skipped
             "there without the blocks with /, as --block-skip says",

@@ -130,7 +130,9 @@ impl Rows {
             states_fed: Vec::new(),
             extras: Interned::default(),
             worded: HashMap::new(),
-            given: given.map(|(index, value)| (format!("R{index}"), (value.thousandths() as f64 / 1000.0).into())).collect(),
+            given: given
+                .map(|(index, value)| (format!("R{index}"), (value.thousandths() as f64 / 1000.0).into()))
+                .collect(),
             key: Vec::new(),
             noter: Noter::new(settings),
             shapes: Interned::default(),

@@ -198,14 +198,14 @@ fn bytes() -> Vec<u8> {
 fn the_program_that_starts_there() {
     let place = Place::with(&[("a.nc", &bytes())]);
     let run = place.run(&["restart", "a.nc", "--n", "1030", "--pass", "2", "--param", "R10=15", "-o", "b.nc"]).ends(0);
-    assert_eq!(run.stderr, "blocks of calls and loops written out: 5\n");
+    assert_eq!(run.stderr, "blocks of calls and loops written out: 4\n");
     let written = place.read("b.nc");
     // The rest keeps its bytes.
     assert!(written.ends_with(&bytes()[bytes().len() - 120..]));
     let text: String = written.iter().map(|byte| char::from(*byte)).collect();
     let expected = [
         "%872 \"a.nc from N1030, pass 2\"",
-        "\"calls and loops written out: 5 blocks\"",
+        "\"blocks of calls and loops written out: 4\"",
         "\"not restored: M25 of group 14 (--all-m)\"",
         "N1040 G54 \"functions in force\"",
         "N1050 T5 D1 M06 \"tool change, N20\"",
@@ -614,4 +614,20 @@ fn functions_that_nobody_knows() {
     started("", text, &["--n=40"]).ends(1).says("the value of M is not known");
     assert!(!started("", text, &["--list"]).stdout.contains("N40"));
     started("", text, &["--n=40", "--param=R40=8", "--safe=60"]).ends(0);
+}
+
+/// A place in a macrocycle is named with its file; what is said to be written out is.
+#[test]
+fn a_place_in_a_macrocycle() {
+    let program =
+        "%1\nN10 G90 G0 X0 Y0 Z50\nN20 T1 M6 S500 M3\nN30 G1 Z0 F100\nN40 G72 L9001 Q2\nN50 G0 Z50\nN60 M30\n";
+    let macrocycle = "N10 G79 L9001\nN20 G91 X1\nN30 G90 G70\n";
+    let place = Place::with(&[("m.nc", program.as_bytes()), ("L9001", macrocycle.as_bytes())]);
+    let run = place.run(&["restart", "m.nc", "--file", "L9001", "--n", "20", "--pass", "2", "--lang", "en"]).ends(0);
+    assert!(
+        run.stdout.starts_with("%1 \"m.nc from L9001 N20, pass 2\"\n\"blocks of calls and loops written out: 2\"\n")
+    );
+    assert!(run.stdout.contains("\nN470 G91 X1 \"L9001 N20\"\nN471 G90 \"L9001 N30\"\nN50 G0 Z50\n"), "{}", run.stdout);
+    let run = place.run(&["restart", "m.nc", "--file", "L9001", "--n", "30", "--pass", "2", "--lang", "en"]).ends(0);
+    assert!(run.stdout.contains("\"blocks of calls and loops written out: 1\""), "{}", run.stdout);
 }

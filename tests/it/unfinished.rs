@@ -81,4 +81,7 @@ fn folders_with_errors() {
         "a.nc  the same\nb.nc  added\nc.nc  the same as far as executed\n\
         programs 3: same 2, different 0, added 1, removed 0, with errors 0\n"
     );
+    place.run(&["compare", "a", "a", "--partial"]).ends(0);
+    let run = place.run(&["compare", "a", "nothere"]).ends(2);
+    assert!(run.stderr.contains("no such file"), "{}", run.stderr);
 }

@@ -296,7 +296,7 @@ test('what holds at a block: who wrote it, what comes next, how to start there',
   const file = program(
     'state.nc',
     '%1',
-    'N10 G17 G90 G0 X0 Y0 Z0 R5=12.5',
+    'N10 G17 G90 G0 X0 Y0 Z0 R5=12.5 &0101',
     'N20 G1 X20 F100',
     'N30 Y20 R6=3',
     'N40 T1 M6',
@@ -307,7 +307,8 @@ test('what holds at a block: who wrote it, what comes next, how to start there',
   await tab.evaluate(() => window.cnc872c.select(2));
   await drawn(tab);
   const state = await tab.evaluate(() => document.querySelector('.state').innerText);
-  assert.match(state, /Parameters\s+R5\s+12\.5 N10\s+R6\s+3 N30/);
+  assert.match(state, /Parameters\s+R5\s+12\.5 N10\s+R6\s+3 N30\s+R7\s+1\s/);
+  assert.match(state, /&\s+0101 N10/);
   assert.match(state, /next tool change\s+N40/);
   assert.match(state, /next rapid\s+N50/);
   assert.match(state, /blocks\s+3\s+3\s+path/);
@@ -316,7 +317,15 @@ test('what holds at a block: who wrote it, what comes next, how to start there',
   const writer = await tab.evaluate(
     () => [...document.querySelectorAll('.state .chip')].find((chip) => chip.textContent === 'G01').title,
   );
-  assert.equal(writer, 'written by N20');
+  assert.equal(writer, 'written by N20 (seq 1, state.nc:3)');
+  // A key on what a block wrote leads there, and stays at what it wrote.
+  await tab.focus('.state [data-focus=feed]');
+  await tab.keyboard.press('Enter');
+  await drawn(tab);
+  const at = await tab.evaluate(() => [window.cnc872c.current().seq, document.activeElement.dataset.focus]);
+  assert.deepEqual(at, [1, 'feed']);
+  await tab.evaluate(() => window.cnc872c.select(2));
+  await drawn(tab);
   await tab.click('.restart button');
   const command = 'cnc872c restart state.nc --seq 2 --param R7=1 --block-skip';
   assert.equal(await tab.evaluate(() => document.querySelector('.command code').textContent), command);
