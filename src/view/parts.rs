@@ -80,7 +80,7 @@ impl<K: Clone + Eq + Hash> Interned<K> {
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub(super) struct StateKey {
     g: [Option<GCode>; 12],
-    /// What is in force behind the block: functions for the block alone hide it, and the program's end resets it.
+    /// The functions in force behind the block: `g` may have one for the block alone, and the program's end resets them.
     held: [Option<GCode>; 12],
     m: [Option<u8>; 15],
     gear: Option<u8>,
@@ -117,7 +117,7 @@ impl StateKey {
 }
 
 impl StateKey {
-    /// What is in force behind the block, by group, where the record does not say it.
+    /// The G functions in force behind the block, by group, where the record does not list them.
     pub fn held(&self) -> Option<Value> {
         (self.held != self.g).then(|| self.held.iter().map(|code| code.map(|code| code.number())).collect())
     }

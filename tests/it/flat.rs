@@ -21,7 +21,7 @@ struct Flat {
     before: State,
     text: String,
     calls: bool,
-    /// No text stands for what the control does there.
+    /// Some of it cannot be written as text.
     impossible: bool,
 }
 

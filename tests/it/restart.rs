@@ -616,7 +616,7 @@ fn functions_that_nobody_knows() {
     started("", text, &["--n=40", "--param=R40=8", "--safe=60"]).ends(0);
 }
 
-/// A place in a macrocycle is named with its file; what is said to be written out is.
+/// A place in a macrocycle is named with its file, and the size counts the blocks that are written.
 #[test]
 fn a_place_in_a_macrocycle() {
     let program =

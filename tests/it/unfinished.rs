@@ -61,8 +61,8 @@ fn a_program_for_another_control() {
     assert!(run.stdout.contains("after N30 positions are not known: its call cannot be followed"), "{}", run.stdout);
 }
 
-/// CMP-5, CMP-7: an error in a program that one folder alone has is told, too; with `--partial` what is the same is so
-/// as far as both were executed.
+/// CMP-5, CMP-7: errors in a program that only one folder has are reported; with `--partial` programs are the same as
+/// far as both were executed.
 #[test]
 fn folders_with_errors() {
     let fine = "%1\nN10 G0 G90 X0\nN20 M30\n".as_bytes();
