@@ -80,7 +80,7 @@ impl<K: Clone + Eq + Hash> Interned<K> {
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub(super) struct StateKey {
     g: [Option<GCode>; 12],
-    /// The functions in force behind the block: `g` may have one for the block alone, and the program's end resets them.
+    /// The functions in force behind the block: without those for it alone, and reset where the program ends.
     held: [Option<GCode>; 12],
     m: [Option<u8>; 15],
     gear: Option<u8>,

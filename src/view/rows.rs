@@ -70,10 +70,10 @@ pub(super) struct Rows {
     pub extras: Interned<String>,
     /// Indices in `extras` of blocks that do nothing else than their words say.
     worded: HashMap<Vec<u8>, u32>,
+    /// Room for a key of these.
+    key: Vec<u8>,
     /// The parameters that the machine has at the program's start, as far as they are given.
     pub given: Map<String, Value>,
-    /// Room for a key of theirs.
-    key: Vec<u8>,
     noter: Noter,
     pub shapes: Interned<ShapeKey>,
     /// By index in `shapes`.
@@ -130,10 +130,10 @@ impl Rows {
             states_fed: Vec::new(),
             extras: Interned::default(),
             worded: HashMap::new(),
+            key: Vec::new(),
             given: given
                 .map(|(index, value)| (format!("R{index}"), (value.thousandths() as f64 / 1000.0).into()))
                 .collect(),
-            key: Vec::new(),
             noter: Noter::new(settings),
             shapes: Interned::default(),
             shape_keys: Vec::new(),
