@@ -169,7 +169,7 @@ fn folders(args: &CompareArgs, locale: Locale) -> Result<Status, Failure> {
     })
 }
 
-/// A program in the folder, as far as it is usable.
+/// A program of one folder, if it is there; then its steps, if it can be compared.
 type InFolder = Option<Option<(Side, Steps)>>;
 
 /// What became of a program.

@@ -153,7 +153,7 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
     }
     for (&l, &UnitId(id)) in &resolved.subprograms {
         let Some(unit) = resolved.units.get(id as usize).filter(|_| !named.contains(&l)) else { continue };
-        // Where other words stand beside the number, another one may be meant (E0208).
+        // Where the block has words too many, another number may be meant (E0208).
         let is_crowded = |word: &Word| context.open.crowded.contains(&parsed.word_place(*word));
         if !parsed.words(unit.first).iter().any(is_crowded) {
             context.report(unit.entry, Finding::UnusedSubprogram { l });

@@ -1,4 +1,4 @@
-//! What the blocks behind the place need: the parameters that they read, and the blocks of open calls and loops written
+//! Reads the blocks behind the place: which parameters they read, and the blocks of open calls and loops, to be written
 //! out.
 
 use std::ops::ControlFlow;
@@ -142,7 +142,7 @@ fn value_of(word: Word, before: &State) -> Option<crate::dict::Decimal> {
     }
 }
 
-/// Whether a block is one of a macrocycle that a fixed cycle calls: what is written out calls it again.
+/// Whether a fixed cycle called the macrocycle of a block: the blocks written out call it again.
 pub(super) fn is_in_cycle(block: &Executed<'_>) -> bool {
     block.calls().any(|call| matches!(call.by, CallKind::Cycle(_)))
 }

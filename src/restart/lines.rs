@@ -156,7 +156,7 @@ mod tests {
         assert_eq!(Run::largest(&[1, 2, 3], 3).count(), 0);
     }
 
-    /// RST-6: what is not restored is said in comments of at most 80 characters (LEX-7).
+    /// RST-6: comments name what is not restored, in lines of at most 80 characters (LEX-7).
     #[test]
     fn long_comments() {
         let text = "a macrocycle of the machine may have moved A, B, C, U, V, W: move them as it left them";

@@ -47,13 +47,13 @@ const EXECUTED: u64 = 1 << 20;
 pub struct Restart {
     /// The number of the block at the place.
     pub n: u32,
-    /// What is new: number, title, preamble, calls and loops written out; ASCII.
+    /// The new part: number, title, preamble, calls and loops written out; ASCII.
     pub head: String,
     /// Where the text of the old program goes on; nothing when all of the rest is written out.
     pub rest: Option<u32>,
     /// The old program.
     pub source: Arc<SourceText>,
-    /// Executed blocks of calls and loops that are written out.
+    /// Blocks of calls and loops that are written out.
     pub written_out: u64,
     /// Blocks of the preamble.
     pub preamble: u64,
@@ -232,7 +232,7 @@ impl Making<'_> {
     fn prove(&self, restart: &Restart, found: &Found) -> Result<(), Reason> {
         let text = restart.text();
         let overlay = Overlay { below: self.session.loader, path: self.path, bytes: text.as_bytes() };
-        // An axis of which nobody knows where it is at the place does not stand where `[start]` has it.
+        // `[start]` does not hold for an axis whose position at the place is not known.
         let mut settings = self.session.settings.clone();
         let axes = settings.machine.axes.iter().enumerate();
         for (_, axis) in axes.filter(|(at, _)| found.state.axis_position(*at).is_none()) {

@@ -85,7 +85,7 @@ bilingual! {
 }
 
 bilingual! {
-    /// What the new program says in its comments; without diacritics there.
+    /// Comments of the new program; written there without diacritics.
     Note {
         Title { name: String, place: String } "{name} from {place}", "{name} od {place}";
         TitleOfPass { name: String, place: String, pass: u64 }

@@ -92,10 +92,6 @@ pub(super) struct StateKey {
 
 impl StateKey {
     pub fn of(block: &Executed<'_>) -> Self {
-        let mut g = [None; 12];
-        for (slot, group) in g.iter_mut().zip(GGroup::ALL) {
-            *slot = block.g(group);
-        }
         let machine = &block.settings().machine;
         let held =
             if block.last() { machine.power_up } else { GGroup::ALL.map(|group| block.state().g_in_force(group)) };
@@ -104,7 +100,7 @@ impl StateKey {
             *slot = block.m(group);
         }
         Self {
-            g,
+            g: GGroup::ALL.map(|group| block.g(group)),
             held,
             m,
             gear: block.gear(),
@@ -114,9 +110,7 @@ impl StateKey {
             dynamic_set: block.dynamic_set(),
         }
     }
-}
 
-impl StateKey {
     /// The G functions in force behind the block, by group, where the record does not list them.
     pub fn held(&self) -> Option<Value> {
         (self.held != self.g).then(|| self.held.iter().map(|code| code.map(|code| code.number())).collect())

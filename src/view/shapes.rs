@@ -34,7 +34,7 @@ pub(super) struct ShapeKey {
     pub known: u16,
     /// Those whose position is in the column of positions.
     pub coded: u16,
-    /// Why the others are not known after the block.
+    /// Why axes are not known behind the block.
     pub why: [Unknown; AxisLetter::ALL.len()],
     pub length: Option<LengthUnit>,
     pub missing: Option<Missing>,

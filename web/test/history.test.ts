@@ -46,7 +46,7 @@ for (const file of samples()) {
         .filter((letter, axis) => history.moves(letter) && (letter in why || !program.isKnown(row, axis)))
         .map((letter) => [letter, why[letter] ?? 'not_programmed']);
       assert.deepEqual(Object.fromEntries(unknown), state['unknown'], `unknown, seq ${index}`);
-      const known = history.parameters(index).map(([name, value]) => [name, value]);
+      const known = history.parameters(writer).map(([name, value]) => [name, value]);
       assert.deepEqual(Object.fromEntries(known), state['parameters'], `parameters, seq ${index}`);
       const counters = history.counters(index).map((counter) => {
         const block = program.block[program.rowOf(counter.index)]!;

@@ -5,11 +5,11 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 
-import { named, setLanguage } from '../src/i18n.ts';
+import { type Key, named, setLanguage, t } from '../src/i18n.ts';
 import { root } from './pages.ts';
 
-/** The names that a field of the motion stream may have, by its schema. */
-function names(field: string): string[] {
+/** The names that a field of a form may have, by its schema. */
+function names(field: string, schema = 'motion'): string[] {
   const found: string[] = [];
   const walk = (value: unknown): void => {
     if (typeof value === 'object' && value !== null) {
@@ -20,7 +20,7 @@ function names(field: string): string[] {
       }
     }
   };
-  walk(JSON.parse(readFileSync(path.join(root, 'docs/reference/generated/schemas/motion.json'), 'utf8')));
+  walk(JSON.parse(readFileSync(path.join(root, `docs/reference/generated/schemas/${schema}.json`), 'utf8')));
   return found;
 }
 
@@ -38,3 +38,15 @@ for (const field of ['broken_by', 'limited_by', 'cap_by']) {
     }
   });
 }
+
+test('every reason why a position is not known has a text', () => {
+  const reasons = names('additionalProperties', 'state');
+  assert.ok(reasons.includes('macrocycle') && reasons.length > 7);
+  for (const reason of reasons) {
+    const texts = (['en', 'cs'] as const).map((lang) => {
+      setLanguage(lang);
+      return t(`unknown_${reason}` as Key);
+    });
+    assert.ok(texts.every((text) => text.length > 5) && texts[0] !== texts[1], reason);
+  }
+});

@@ -20,6 +20,7 @@ mod json;
 mod merge;
 mod model;
 mod parabola;
+mod planned;
 mod planner;
 mod ramp;
 #[cfg(test)]
@@ -40,6 +41,7 @@ pub use findings::JointFindings;
 pub(crate) use json::PER_MINUTE;
 pub use json::{machine, total, write_block};
 pub use model::Model;
+pub use planned::Planned;
 pub use planner::{Listener, Planner};
 pub use read::StepReader;
 #[cfg(feature = "arrow")]

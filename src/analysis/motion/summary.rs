@@ -4,15 +4,14 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-use super::planner::{Listener, Planner};
-use super::read::StepReader;
-use super::step::{Step, Unit};
+use super::planned::Planned;
+use super::planner::Listener;
+use super::step::Unit;
 use super::times::{BlockTimes, Break, Dot, Joint, Limit, Untimed};
 use super::{Model, Profile};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::Decimal;
-use crate::parallel::Fold;
 use crate::run::{End, Executed, MotionType, Sink};
 use crate::text::Location;
 
@@ -303,20 +302,12 @@ impl Listener for Summary {
 
 /// Sums up the times of a program: one pass, in constant memory.
 #[derive(Debug)]
-pub struct Estimate {
-    reader: StepReader,
-    planned: Fold<Step, (Planner, Summary)>,
-}
+pub struct Estimate(Planned<Summary>);
 
 impl Estimate {
     /// For programs executed with these settings; keeps so many red joints.
     pub fn new(settings: &Settings, most_red: usize) -> Self {
-        let model = Model::of(settings);
-        let summary = Summary::new(model.profile, most_red);
-        let planned = Fold::new("planner", (Planner::new(model, false), summary), |(planner, summary), step| {
-            planner.push(step, summary);
-        });
-        Self { reader: StepReader::new(settings), planned }
+        Self(Planned::new(settings, Summary::new(Model::of(settings).profile, most_red)))
     }
 }
 
@@ -324,13 +315,11 @@ impl Sink for Estimate {
     type Whole = Summary;
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
-        self.planned.push(self.reader.read(block));
+        self.0.push(block);
         ControlFlow::Continue(())
     }
 
     fn end(self, _: End, _: &mut Findings) -> Summary {
-        let (mut planner, mut summary) = self.planned.finish();
-        planner.finish(&mut summary);
-        summary
+        self.0.finish()
     }
 }

@@ -2,10 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::analysis::motion::{BlockTimes, Listener, Model, Planner, Step, StepReader};
+use crate::analysis::motion::{BlockTimes, Listener, Planned};
 use crate::config::Settings;
 use crate::diag::Findings;
-use crate::parallel::Fold;
 use crate::run::{End, Executed, Sink};
 
 /// What was done, and what is left, of one kind of thing.
@@ -92,34 +91,6 @@ impl Timing {
             Self::Configured => settings.machine.motion.configured || blocks <= Self::ASSUMED,
             Self::Always => true,
         }
-    }
-}
-
-/// Plans the motions of a program for a listener.
-#[derive(Debug)]
-struct Planned<L> {
-    reader: StepReader,
-    planned: Fold<Step, (Planner, L)>,
-}
-
-impl<L: Listener + Clone + Send + 'static> Planned<L> {
-    fn new(settings: &Settings, listener: L) -> Self {
-        let planner = (Planner::new(Model::of(settings), false), listener);
-        let planned = Fold::new("planner", planner, |(planner, listener), step| planner.push(step, listener));
-        Self { reader: StepReader::new(settings), planned }
-    }
-
-    /// The next executed block.
-    #[inline]
-    fn push(&mut self, block: &Executed<'_>) {
-        self.planned.push(self.reader.read(block));
-    }
-
-    /// The listener, when all blocks were pushed.
-    fn finish(self) -> L {
-        let (mut planner, mut listener) = self.planned.finish();
-        planner.finish(&mut listener);
-        listener
     }
 }
 

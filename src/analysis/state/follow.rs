@@ -238,8 +238,7 @@ impl Follow {
         }
     }
 
-    /// The armed counters of the open calls, before or behind a block. Before it, the counter of its own jump has not
-    /// counted yet.
+    /// The armed counters of the open calls, before or behind a block. Before the block its jump has not counted yet.
     fn counters_at(&self, block: &Executed<'_>, after: bool) -> Vec<CounterAt> {
         let (depth, (file, id)) = (block.depth(), block.at());
         let is_own = |counter: &ArmedCounter| counter.depth == depth && counter.file == file && counter.block == id;

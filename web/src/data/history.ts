@@ -18,8 +18,8 @@ export interface Counter {
   of: number | undefined;
 }
 
-/** Blocks between two places for which it is kept who wrote what. */
-const APART = 1 << 13;
+/** The executed block that last wrote something, by its name; nothing where no block of the page did. */
+export type Writers = (name: string) => number | undefined;
 
 export class History {
   readonly #program: Program;
@@ -29,8 +29,9 @@ export class History {
   /** What blocks write, by the names that `cnc872c state` gives: `g0`, `m2`, `feed`, `R10`, `X`. */
   readonly #names: string[] = [];
   readonly #places = new Map<string, number>();
-  /** By name: the last block that wrote it before every so many blocks, -1 where none did. */
+  /** By name: the last block that wrote it before every so many blocks, those of `ways`; -1 where none did. */
   #kept: Int32Array[] | undefined;
+  readonly #moved: ReadonlySet<string>;
   readonly #tools: boolean[];
   readonly #stops: boolean[];
   readonly #jumps: boolean[];
@@ -44,7 +45,10 @@ export class History {
     const numbers = (value: Json | undefined): number[] => (Array.isArray(value) ? (value as number[]) : []);
     const places = (names: readonly string[]): number[] => names.map((name) => this.#place(name));
     this.#byExtra = extras.map(({ written = [] }) => places(written));
-    this.#byShape = shapes.map((shape) => places((shape.m?.['axes'] ?? []) as string[]));
+    const axesOf = ({ m }: Shape): string[] => (m?.['axes'] ?? []) as string[];
+    this.#byShape = shapes.map((shape) => places(axesOf(shape)));
+    const ofCycles = ({ w = {} }: Shape): string[] => Object.keys(w).filter((letter) => w[letter] === 'cycle');
+    this.#moved = new Set(shapes.flatMap((shape) => [...axesOf(shape), ...ofCycles(shape)]));
     this.#jumps = extras.map((extra) => extra['jump'] !== undefined);
     this.#tools = extras.map((extra) => numbers(extra['m_set']).includes(6));
     this.#stops = extras.map((extra) => extra['stop'] === true || (stopsAtM01 && extra['cond_stop'] === true));
@@ -61,9 +65,7 @@ export class History {
 
   /** Whether the program moves an axis, as far as the page shows. */
   moves(letter: string): boolean {
-    const isMoved = ({ m, w }: Shape): boolean =>
-      ((m?.['axes'] ?? []) as string[]).includes(letter) || w?.[letter] === 'cycle';
-    return this.#program.header.shapes.some(isMoved);
+    return this.#moved.has(letter);
   }
 
   /** Whether the program changes tools. */
@@ -87,22 +89,23 @@ export class History {
 
   /** By name: the executed block that last wrote it, up to a block; -1 where no block of the page did. */
   #last(index: number): Int32Array {
+    const { apart } = this.#program.header.ways;
     if (this.#kept === undefined) {
       const last = new Int32Array(this.#names.length).fill(-1);
       this.#kept = [last.slice()];
-      for (let from = 0; from + APART <= this.#program.count; from += APART) {
-        this.#note(last, from, from + APART);
+      for (let from = 0; from + apart <= this.#program.count; from += apart) {
+        this.#note(last, from, from + apart);
         this.#kept.push(last.slice());
       }
     }
-    const kept = Math.floor((index + 1) / APART);
+    const kept = Math.floor((index + 1) / apart);
     const last = this.#kept[kept]!.slice();
-    this.#note(last, kept * APART, index + 1);
+    this.#note(last, kept * apart, index + 1);
     return last;
   }
 
   /** The executed blocks that last wrote what is in force behind a block, by names as `cnc872c state` gives them. */
-  writers(index: number): (name: string) => number | undefined {
+  writers(index: number): Writers {
     const last = this.#last(index);
     return (name) => {
       const place = this.#places.get(name);
@@ -111,10 +114,9 @@ export class History {
     };
   }
 
-  /** The parameters with known values behind a block, ascending, and who wrote them. */
-  parameters(index: number): [name: string, value: number, writer: number | undefined][] {
+  /** The parameters with known values behind a block, ascending, and who wrote them; `writers`: of the block. */
+  parameters(writers: Writers): [name: string, value: number, writer: number | undefined][] {
     const program = this.#program;
-    const writers = this.writers(index);
     const { given = {} } = program.header;
     const names = new Set([...Object.keys(given), ...this.#names.filter((name) => /^R\d/.test(name))]);
     const found: [string, number, number | undefined][] = [];

@@ -318,6 +318,16 @@ export class Program {
 
   /** All executions of a block, and of those that begin in its line: the same block is the same file and line. */
   executionsOf(block: number): number[] {
+    return Array.from(this.#executions(block));
+  }
+
+  /** Which of the executions of its block an executed block is: how many come before it, and how many there are. */
+  passOf(index: number): { before: number; all: number } {
+    const executions = this.#executions(this.block[this.rowOf(index)]!);
+    return { before: executions.indexOf(index), all: executions.length };
+  }
+
+  #executions(block: number): ArrayLike<number> & { indexOf(index: number): number } {
     if (this.#isStraight) {
       const line = this.line[block];
       let [first, end] = [block, block + 1];
@@ -332,29 +342,7 @@ export class Program {
     this.#byPlace ??= this.#groupByPlace();
     const { keyOf, start, members } = this.#byPlace;
     const key = keyOf[block]!;
-    return Array.from(members.subarray(start[key]!, start[key + 1]!));
-  }
-
-  /** Which of the executions of its block an executed block is: how many come before it, and how many there are. */
-  passOf(index: number): { before: number; all: number } {
-    const block = this.block[this.rowOf(index)]!;
-    if (this.#isStraight) {
-      const executions = this.executionsOf(block);
-      return { before: executions.indexOf(index), all: executions.length };
-    }
-    this.#byPlace ??= this.#groupByPlace();
-    const { keyOf, start, members } = this.#byPlace;
-    const [first, end] = [start[keyOf[block]!]!, start[keyOf[block]! + 1]!];
-    let [low, high] = [first, end];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (members[middle]! < index) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return { before: low - first, all: end - first };
+    return members.subarray(start[key]!, start[key + 1]!);
   }
 
   #groupByPlace(): { keyOf: Int32Array; start: Int32Array; members: Int32Array } {

@@ -2,6 +2,7 @@
 
 import type { App } from '../app.ts';
 import type { Fields } from '../data/header.ts';
+import type { Writers } from '../data/history.ts';
 import { quoted } from '../data/shell.ts';
 import { type Key, named, t } from '../i18n.ts';
 import { clock, h, idle, least, local, rebuild, shown } from './dom.ts';
@@ -25,7 +26,7 @@ function recordOf({ program, times }: App, index: number): Fields {
 const VALUES: readonly [name: string, field: string, always: boolean][] = [
   ['F', 'feed', true],
   ['S', 's', true],
-  ['', 'gear', false],
+  ['gear', 'gear', false],
   ['T', 't', true],
   ['T (M06)', 'tool', true],
   ['D', 'd', false],
@@ -70,17 +71,18 @@ export class State {
       return;
     }
     const record = recordOf(this.#app, current);
+    const writers = this.#app.history.writers(current);
     const parts = [
       this.#head(record),
-      this.#position(record),
-      this.#functions('gGroups', 'G', this.#app.program.heldBehind(current), new Set(list(record, 'g_set'))),
-      this.#functions('mGroups', 'M', list(record, 'm'), new Set(list(record, 'm_set'))),
-      this.#words(record),
+      this.#position(record, writers),
+      this.#functions('gGroups', 'G', this.#app.program.heldBehind(current), list(record, 'g_set'), writers),
+      this.#functions('mGroups', 'M', list(record, 'm'), list(record, 'm_set'), writers),
+      this.#words(record, writers),
       this.#motion(record),
       this.#velocity(record),
-      this.#parameters(),
+      this.#parameters(writers),
       this.#counters(),
-      this.#progress(),
+      this.#progress(writers),
       this.#restart(record),
     ];
     rebuild(this.element, ...parts.filter((part) => part !== null));
@@ -159,14 +161,13 @@ export class State {
     return h('section', {}, ...children);
   }
 
-  #position(record: Fields): HTMLElement {
+  #position(record: Fields, writers: Writers): HTMLElement {
     const { header, history, program } = this.#app;
     const index = this.#app.current!;
     const position = at(record, 'position');
     const moved = new Set((at(record, 'motion')['axes'] ?? []) as string[]);
     const why = program.shapeOf(program.rowOf(index)).w ?? {};
     const axes = header.program.axes.filter(({ letter }) => letter in position || history.moves(letter));
-    const writers = history.writers(index);
     const cells = axes.map(({ letter, kind }) => {
       const value = position[letter];
       // At a call of the machine's macrocycle the record says where the axes stand before it.
@@ -214,34 +215,33 @@ export class State {
   }
 
   /** The functions in force by group, then those that the block has for itself alone. */
-  #functions(key: Key, letter: 'G' | 'M', values: (number | null)[], written: Set<number>): HTMLElement {
+  #functions(key: Key, letter: 'G' | 'M', values: (number | null)[], written: number[], writers: Writers): HTMLElement {
     const index = this.#app.current!;
     const slot = (group: number): string => `${letter.toLowerCase()}${group}`;
     const inForce = values.flatMap((value, group) => (value === null ? [] : [{ value, group }]));
-    const writers = this.#app.history.writers(index);
     const cells = inForce.map(({ value, group }) => {
       const writer = writers(slot(group));
-      const isOwn = writer === index || written.has(value);
+      const isOwn = writer === index || written.includes(value);
       const attributes = { class: isOwn ? 'chip written' : 'chip', 'data-focus': slot(group) };
       return this.#writtenBy(isOwn ? index : writer, true, attributes, `${letter}${two(value)}`);
     });
-    const own = [...written].filter((code) => !values.includes(code));
+    const own = written.filter((code) => !values.includes(code));
     cells.push(...own.map((code) => h('span', { class: 'chip written' }, `${letter}${two(code)}`)));
     return this.#section(key, h('div', { class: 'chips' }, ...cells));
   }
 
-  #words(record: Fields): HTMLElement {
-    const { history } = this.#app;
-    const index = this.#app.current!;
+  #words(record: Fields, writers: Writers): HTMLElement {
     const value = (field: string): string | undefined => {
       const known = record[field];
-      if (known === undefined || field !== 'feed') {
-        return known === undefined ? undefined : String(known);
+      if (known === undefined) {
+        return undefined;
+      }
+      if (field !== 'feed') {
+        return String(known);
       }
       const scale = typeof record['feed_scale'] === 'number' ? ` × ${record['feed_scale']}` : '';
       return `${shown(Number(known))} ${String(record['feed_unit'] ?? '')}${scale}`;
     };
-    const writers = history.writers(index);
     const rows = VALUES.flatMap(([name, field, always]) => {
       const [known, writer] = [value(field), writers(field)];
       // The set of motions in G00 is not the one that a block chose.
@@ -250,7 +250,7 @@ export class State {
       }
       const nothing = writer === undefined ? t('unknown_not_programmed') : t('unknownHere');
       return [
-        h('dt', {}, name === '' ? t('gear') : name),
+        h('dt', {}, field === 'gear' ? t('gear') : name),
         h('dd', {}, `${known ?? nothing} `, writer === undefined ? null : this.#link(writer, field)),
       ];
     });
@@ -335,9 +335,9 @@ export class State {
   }
 
   /** The parameters that the machine had, or the program has written so far. */
-  #parameters(): HTMLElement | null {
+  #parameters(writers: Writers): HTMLElement | null {
     const rows = this.#app.history
-      .parameters(this.#app.current!)
+      .parameters(writers)
       .flatMap(([name, value, writer]) => [
         h('dt', {}, name),
         h('dd', {}, `${value} `, writer === undefined ? null : this.#link(writer, name)),
@@ -357,7 +357,7 @@ export class State {
   }
 
   /** What is done and what is left, in all and for the tool in the spindle, and what comes next. */
-  #progress(): HTMLElement {
+  #progress(writers: Writers): HTMLElement {
     const { header, history, program, times } = this.#app;
     const { start_s, total } = header;
     const behind = this.#app.current! + 1;
@@ -372,7 +372,7 @@ export class State {
       quantities.push(['timeDone', (index) => start_s + times.startOf(index), whole, clock]);
     }
     const { tool, stop, rapid } = history.ahead(behind - 1);
-    const change = history.writers(behind - 1)('tool') ?? 0;
+    const change = writers('tool') ?? 0;
     const row = (name: string, done: number, left: number, say: (value: number) => string): HTMLElement =>
       h(
         'tr',
